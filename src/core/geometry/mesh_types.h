@@ -39,7 +39,7 @@ struct Material {
 struct TexturedMesh {
   TriangleMesh surface;
   Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> texture_coordinates;  ///< k×2, v up
-  Triangles corner_texture;            ///< m×3 rows of texture_coordinates, −1 where there is none
+  Triangles corner_texture;  ///< m×3 rows of texture_coordinates, −1 where there is none
   std::vector<int> triangle_material;  ///< m, index into materials, −1 where there is none
   std::vector<Material> materials;
 };

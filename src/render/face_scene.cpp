@@ -1,0 +1,531 @@
+#include "render/face_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include <vtkActor.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkCoordinate.h>
+#include <vtkFloatArray.h>
+#include <vtkLight.h>
+#include <vtkLightKit.h>
+#include <vtkLookupTable.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkScalarBarActor.h>
+#include <vtkSmartPointer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkTexture.h>
+#include <vtkTypeInt64Array.h>
+#include <Eigen/Geometry>
+
+#include "base/error.h"
+#include "geometry/triangle_mesh.h"
+#include "render/colour_map.h"
+#include "render/split_surface.h"
+#include "render/texture_image.h"
+
+namespace gnathion {
+namespace {
+
+const Eigen::Vector3d background_low{0.71, 0.75, 0.80};
+const Eigen::Vector3d background_high{0.93, 0.945, 0.96};
+const Eigen::Vector3d ink{0.13, 0.17, 0.22};
+const Eigen::Vector3d skin{0.86, 0.70, 0.61};
+constexpr double pi = 3.14159265358979323846;
+constexpr double view_angle = 18;  // degrees: a portrait lens, little perspective distortion
+
+/// Rows of `source` in the order of `row_of`, as VTK's float tuples.
+void copy_rows(const Points& source, const std::vector<int>& row_of, vtkFloatArray* target) {
+  float* out = target->GetPointer(0);
+  for (const int row : row_of) {
+    for (int k = 0; k < 3; ++k) *out++ = static_cast<float>(source(row, k));
+  }
+  target->Modified();
+}
+
+vtkSmartPointer<vtkFloatArray> float_array(const char* name, int components, size_t tuples) {
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+  return array;
+}
+
+vtkSmartPointer<vtkCellArray> cells_of(const Triangles& triangles) {
+  vtkNew<vtkTypeInt64Array> corners;
+  corners->SetNumberOfValues(triangles.size());
+  std::copy(triangles.data(), triangles.data() + triangles.size(), corners->GetPointer(0));
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(3, corners);
+  return cells;
+}
+
+/// A surface on the graphics card and the face or bone vertices that its own were copied from.
+struct ShownSurface {
+  std::vector<int> vertex;
+  vtkSmartPointer<vtkFloatArray> points;
+  vtkSmartPointer<vtkFloatArray> normals;
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkActor> actor;
+  vtkSmartPointer<vtkTexture> texture;
+  Eigen::Vector3d plain_colour = skin;
+
+  ShownSurface(std::vector<int> vertex_of, const Triangles& triangles)
+      : vertex(std::move(vertex_of)),
+        points(float_array("positions", 3, vertex.size())),
+        normals(float_array("normals", 3, vertex.size())) {
+    vtkNew<vtkPoints> vtk_points;
+    vtk_points->SetData(points);
+    data->SetPoints(vtk_points);
+    data->GetPointData()->SetNormals(normals);
+    data->SetPolys(cells_of(triangles));
+    mapper->SetInputData(data);
+    mapper->ScalarVisibilityOff();
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetInterpolationToPhong();
+  }
+
+  void move_to(const Points& positions, const Points& directions) {
+    copy_rows(positions, vertex, points);
+    copy_rows(directions, vertex, normals);
+    data->GetPoints()->Modified();
+    data->Modified();
+  }
+};
+
+void shine(vtkProperty* property, double ambient, double diffuse, double specular) {
+  property->SetAmbient(ambient);
+  property->SetDiffuse(diffuse);
+  property->SetSpecular(specular);
+  property->SetSpecularPower(25);
+}
+
+void set_colour(vtkProperty* property, const Eigen::Vector3d& rgb) {
+  property->SetColor(rgb.x(), rgb.y(), rgb.z());
+  property->SetSpecularColor(1, 1, 1);
+}
+
+std::unique_ptr<ShownSurface> show_part(const TexturedMesh& face, SurfacePart part) {
+  auto shown = std::make_unique<ShownSurface>(std::move(part.face_vertex), part.triangles);
+  if (part.material >= 0) {
+    const Material& material = face.materials[static_cast<size_t>(part.material)];
+    shown->plain_colour = material.texture.empty() ? material.diffuse : skin;
+    if (!part.uv.empty()) {
+      shown->texture = load_texture(material.texture);
+      auto uv = float_array("texture", 2, part.uv.size());
+      for (size_t i = 0; i < part.uv.size(); ++i) {
+        uv->SetTuple2(static_cast<vtkIdType>(i), part.uv[i].x(), part.uv[i].y());
+      }
+      shown->data->GetPointData()->SetTCoords(uv);
+    }
+  }
+  return shown;
+}
+
+/// Right, up and away-from-viewer of a picture, as rows, in LPS.
+Eigen::Matrix3d picture_axes(CameraPreset view) {
+  double turn = 0;  // about +z, from the front towards the patient's left
+  switch (view) {
+    case CameraPreset::front:
+      turn = 0;
+      break;
+    case CameraPreset::left:
+      turn = pi / 2;
+      break;
+    case CameraPreset::right:
+      turn = -pi / 2;
+      break;
+    case CameraPreset::three_quarter:
+      turn = 40 * pi / 180;
+      break;
+  }
+  Eigen::Matrix3d axes;
+  axes.row(0) << std::cos(turn), std::sin(turn), 0;
+  axes.row(1) << 0, 0, 1;
+  axes.row(2) << -std::sin(turn), std::cos(turn), 0;
+  return axes;
+}
+
+/// The letters of the sides that `direction` (unit, LPS) points to, the larger share first.
+std::string side_letters(const Eigen::Vector3d& direction) {
+  const char* const letters[3] = {"LR", "PA", "HF"};
+  int order[3] = {0, 1, 2};
+  std::sort(order, order + 3,
+            [&](int a, int b) { return std::abs(direction(a)) > std::abs(direction(b)); });
+  std::string text;
+  for (const int axis : order) {
+    if (std::abs(direction(axis)) > 0.3) text += letters[axis][direction(axis) > 0 ? 0 : 1];
+  }
+  return text;
+}
+
+vtkSmartPointer<vtkTextActor> text_at(double x, double y, int size) {
+  auto text = vtkSmartPointer<vtkTextActor>::New();
+  text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  text->SetPosition(x, y);
+  text->GetTextProperty()->SetFontSize(size);
+  text->GetTextProperty()->SetColor(ink.x(), ink.y(), ink.z());
+  text->SetInput("");
+  text->PickableOff();
+  return text;
+}
+
+void style_bar(vtkScalarBarActor* bar) {
+  bar->SetOrientationToVertical();
+  bar->SetMaximumWidthInPixels(70);
+  bar->SetUnconstrainedFontSize(true);
+  bar->SetNumberOfLabels(5);
+  bar->SetPosition(0.84, 0.16);
+  bar->SetHeight(0.68);
+  bar->SetWidth(0.14);
+  bar->SetBarRatio(0.3);
+  bar->SetMaximumNumberOfColors(257);
+  for (vtkTextProperty* text : {bar->GetTitleTextProperty(), bar->GetLabelTextProperty()}) {
+    text->SetFontSize(13);
+    text->ItalicOff();
+    text->BoldOff();
+    text->ShadowOff();
+    text->SetColor(ink.x(), ink.y(), ink.z());
+  }
+  bar->SetVerticalTitleSeparation(8);
+  bar->VisibilityOff();
+}
+
+}  // namespace
+
+std::string name_of(CameraPreset view) {
+  switch (view) {
+    case CameraPreset::front:
+      return "front";
+    case CameraPreset::left:
+      return "left";
+    case CameraPreset::right:
+      return "right";
+    case CameraPreset::three_quarter:
+      return "three_quarter";
+  }
+  return "view";
+}
+
+struct FaceScene::Impl {
+  struct Bone {
+    TriangleMesh mesh;
+    RigidMotion pose;
+    std::unique_ptr<ShownSurface> shown;
+  };
+
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkLightKit> lights;
+  vtkNew<vtkScalarBarActor> bar;
+  vtkSmartPointer<vtkTextActor> label = text_at(0.03, 0.97, 18);
+  vtkSmartPointer<vtkTextActor> left_letter = text_at(0.02, 0.5, 15);
+  vtkSmartPointer<vtkTextActor> right_letter = text_at(0.98, 0.5, 15);
+  vtkNew<vtkCallbackCommand> before_render;
+
+  TriangleMesh face;
+  std::vector<std::unique_ptr<ShownSurface>> parts;
+  std::map<std::string, Bone> bones;
+  bool face_visible = true;
+  bool face_textured = true;
+  bool colour_map = false;
+  double face_opacity = 1;
+  bool letters = true;
+
+  Impl() {
+    renderer->SetBackground(background_low.x(), background_low.y(), background_low.z());
+    renderer->SetBackground2(background_high.x(), background_high.y(), background_high.z());
+    renderer->GradientBackgroundOn();
+    renderer->GetActiveCamera()->SetViewAngle(view_angle);
+    set_lights();
+    style_bar(bar);
+    label->GetTextProperty()->SetVerticalJustificationToTop();
+    right_letter->GetTextProperty()->SetJustificationToRight();
+    for (vtkProp* prop : std::initializer_list<vtkProp*>{bar, label, left_letter, right_letter}) {
+      renderer->AddViewProp(prop);
+    }
+    before_render->SetClientData(this);
+    before_render->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
+      static_cast<Impl*>(self)->prepare_frame();
+    });
+    renderer->AddObserver(vtkCommand::StartEvent, before_render);
+  }
+
+  ~Impl() { renderer->RemoveObserver(before_render); }
+
+  void set_lights() {
+    renderer->AutomaticLightCreationOff();
+    lights->SetKeyLightIntensity(0.72);
+    lights->SetKeyLightAngle(38, 14);
+    lights->SetKeyToFillRatio(2.0);
+    lights->SetKeyToHeadRatio(2.4);
+    lights->SetKeyToBackRatio(3.2);
+    lights->SetKeyLightWarmth(0.53);
+    lights->SetFillLightWarmth(0.48);
+    lights->SetHeadLightWarmth(0.5);
+    lights->SetBackLightWarmth(0.5);
+    lights->AddLightsToRenderer(renderer);
+  }
+
+  void prepare_frame() {
+    renderer->ResetCameraClippingRange();
+    vtkCamera* camera = renderer->GetActiveCamera();
+    Eigen::Vector3d up(camera->GetViewUp());
+    Eigen::Vector3d away(camera->GetDirectionOfProjection());
+    const Eigen::Vector3d right = away.cross(up).normalized();
+    left_letter->SetInput(side_letters(-right).c_str());
+    right_letter->SetInput(side_letters(right).c_str());
+  }
+
+  void refresh_face_look() {
+    for (const auto& part : parts) {
+      vtkProperty* property = part->actor->GetProperty();
+      const bool photograph = face_textured && !colour_map && part->texture;
+      part->actor->SetTexture(photograph ? part->texture.Get() : nullptr);
+      part->mapper->SetScalarVisibility(colour_map);
+      if (photograph) {
+        set_colour(property, Eigen::Vector3d::Ones());
+        shine(property, 0.30, 0.78, 0.04);  // much of the light is already in the photograph
+      } else {
+        set_colour(property, colour_map ? Eigen::Vector3d::Ones().eval() : part->plain_colour);
+        shine(property, 0.12, 0.90, colour_map ? 0.0 : 0.08);
+      }
+      property->SetOpacity(face_opacity);
+      property->SetBackfaceCulling(face_opacity < 1);
+      part->actor->SetVisibility(face_visible && face_opacity > 0);
+    }
+    bar->SetVisibility(colour_map && face_visible);
+  }
+
+  void clear_face() {
+    for (const auto& part : parts) renderer->RemoveActor(part->actor);
+    parts.clear();
+    face = {};
+    colour_map = false;
+    bar->VisibilityOff();
+  }
+
+  static void apply_look(Bone& bone, const BoneLook& look) {
+    vtkProperty* property = bone.shown->actor->GetProperty();
+    set_colour(property, look.colour);
+    shine(property, 0.10, 0.88, 0.12);
+    property->SetOpacity(look.opacity);
+  }
+
+  static void apply_pose(Bone& bone) {
+    vtkNew<vtkMatrix4x4> matrix;
+    for (int r = 0; r < 3; ++r) {
+      for (int c = 0; c < 3; ++c) matrix->SetElement(r, c, bone.pose.rotation(r, c));
+      matrix->SetElement(r, 3, bone.pose.translation(r));
+    }
+    bone.shown->actor->SetUserMatrix(matrix);
+  }
+
+  Bone* find_bone(const std::string& name) {
+    const auto found = bones.find(name);
+    return found == bones.end() ? nullptr : &found->second;
+  }
+
+  /// Everything visible, posed, in picture axes (right, up, away).
+  std::vector<Points> visible_points(const Eigen::Matrix3d& axes) const {
+    std::vector<Points> all;
+    if (!parts.empty() && face_visible && face_opacity > 0) {
+      all.push_back(face.vertices * axes.transpose());
+    }
+    for (const auto& [name, bone] : bones) {
+      if (!bone.shown->actor->GetVisibility()) continue;
+      all.push_back(moved(bone.mesh.vertices, bone.pose) * axes.transpose());
+    }
+    return all;
+  }
+};
+
+FaceScene::FaceScene() : impl_(std::make_unique<Impl>()) {}
+FaceScene::~FaceScene() = default;
+
+vtkRenderer* FaceScene::renderer() const {
+  return impl_->renderer;
+}
+
+void FaceScene::set_face(const TexturedMesh& face, const std::string& name) {
+  check_face(face, name);
+  const Points normals = vertex_normals(face.surface);
+  std::vector<std::unique_ptr<ShownSurface>> parts;
+  for (SurfacePart& part : split_by_corner(face)) {
+    parts.push_back(show_part(face, std::move(part)));
+    parts.back()->move_to(face.surface.vertices, normals);
+  }
+  impl_->clear_face();
+  impl_->face = face.surface;
+  impl_->parts = std::move(parts);
+  for (const auto& part : impl_->parts) impl_->renderer->AddActor(part->actor);
+  impl_->refresh_face_look();
+}
+
+void FaceScene::set_face_points(const Points& points) {
+  if (points.rows() != impl_->face.vertices.rows()) {
+    throw Error(ErrorKind::numeric, "face",
+                "got " + std::to_string(points.rows()) + " positions for " +
+                    std::to_string(impl_->face.vertices.rows()) + " vertices",
+                "compute the prediction again for the face that is shown");
+  }
+  if (!points.allFinite()) {
+    throw Error(ErrorKind::numeric, "face", "a predicted position is infinite or not a number",
+                "check the material values and the segment's motion, and predict again");
+  }
+  impl_->face.vertices = points;
+  const Points normals = vertex_normals(impl_->face);
+  for (const auto& part : impl_->parts) part->move_to(points, normals);
+}
+
+bool FaceScene::has_face() const {
+  return !impl_->parts.empty();
+}
+
+void FaceScene::remove_face() {
+  impl_->clear_face();
+}
+
+void FaceScene::set_face_visible(bool visible) {
+  impl_->face_visible = visible;
+  impl_->refresh_face_look();
+}
+
+void FaceScene::set_face_opacity(double opacity) {
+  impl_->face_opacity = std::clamp(opacity, 0.0, 1.0);
+  impl_->refresh_face_look();
+}
+
+void FaceScene::set_face_textured(bool textured) {
+  impl_->face_textured = textured;
+  impl_->refresh_face_look();
+}
+
+void FaceScene::show_colour_map(const Eigen::VectorXd& values, double half_range,
+                                const std::string& title) {
+  if (values.size() != impl_->face.vertices.rows() || impl_->parts.empty()) {
+    throw Error(ErrorKind::numeric, "colour map",
+                "got " + std::to_string(values.size()) + " values for a face of " +
+                    std::to_string(impl_->face.vertices.rows()) + " vertices",
+                "compute the values again for the face that is shown");
+  }
+  const double limit = half_range > 0 ? half_range : round_half_range(values);
+  const auto table = diverging_table(limit);
+  for (const auto& part : impl_->parts) {
+    auto scalars = float_array("mm", 1, part->vertex.size());
+    for (size_t i = 0; i < part->vertex.size(); ++i) {
+      scalars->SetValue(static_cast<vtkIdType>(i), static_cast<float>(values(part->vertex[i])));
+    }
+    part->data->GetPointData()->SetScalars(scalars);
+    part->mapper->SetLookupTable(table);
+    part->mapper->UseLookupTableScalarRangeOn();
+    part->mapper->InterpolateScalarsBeforeMappingOn();
+  }
+  impl_->bar->SetLookupTable(table);
+  impl_->bar->SetTitle(title.c_str());
+  impl_->bar->SetLabelFormat(limit < 1 ? "%.2f" : "%.1f");
+  impl_->colour_map = true;
+  impl_->refresh_face_look();
+}
+
+void FaceScene::hide_colour_map() {
+  impl_->colour_map = false;
+  impl_->refresh_face_look();
+}
+
+void FaceScene::set_bone(const std::string& name, const TriangleMesh& bone, const BoneLook& look) {
+  check_surface(bone, name);
+  std::vector<int> all(static_cast<size_t>(bone.vertices.rows()));
+  for (size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
+  Impl::Bone entry{bone, {}, std::make_unique<ShownSurface>(std::move(all), bone.triangles)};
+  entry.shown->move_to(bone.vertices, vertex_normals(bone));
+  Impl::apply_look(entry, look);
+  remove_bone(name);
+  impl_->renderer->AddActor(entry.shown->actor);
+  impl_->bones.emplace(name, std::move(entry));
+}
+
+void FaceScene::set_bone_pose(const std::string& name, const RigidMotion& pose) {
+  if (Impl::Bone* bone = impl_->find_bone(name)) {
+    bone->pose = pose;
+    Impl::apply_pose(*bone);
+  }
+}
+
+void FaceScene::set_bone_look(const std::string& name, const BoneLook& look) {
+  if (Impl::Bone* bone = impl_->find_bone(name)) Impl::apply_look(*bone, look);
+}
+
+void FaceScene::set_bone_visible(const std::string& name, bool visible) {
+  if (Impl::Bone* bone = impl_->find_bone(name)) bone->shown->actor->SetVisibility(visible);
+}
+
+void FaceScene::remove_bone(const std::string& name) {
+  if (const Impl::Bone* bone = impl_->find_bone(name)) {
+    impl_->renderer->RemoveActor(bone->shown->actor);
+    impl_->bones.erase(name);
+  }
+}
+
+void FaceScene::remove_bones() {
+  for (const std::string& name : bone_names()) remove_bone(name);
+}
+
+std::vector<std::string> FaceScene::bone_names() const {
+  std::vector<std::string> names;
+  for (const auto& [name, bone] : impl_->bones) names.push_back(name);
+  return names;
+}
+
+void FaceScene::set_label(const std::string& text) {
+  impl_->label->SetInput(text.c_str());
+}
+
+void FaceScene::set_orientation_letters(bool visible) {
+  impl_->left_letter->SetVisibility(visible);
+  impl_->right_letter->SetVisibility(visible);
+}
+
+void FaceScene::look_from(CameraPreset view, double aspect_ratio) {
+  const Eigen::Matrix3d axes = picture_axes(view);
+  const std::vector<Points> all = impl_->visible_points(axes);
+  if (all.empty()) return;
+  Eigen::RowVector3d low = all.front().row(0), high = low;
+  for (const Points& points : all) {
+    low = low.cwiseMin(points.colwise().minCoeff());
+    high = high.cwiseMax(points.colwise().maxCoeff());
+  }
+  const Eigen::RowVector3d centre = (low + high) / 2;
+  constexpr double margin = 0.88;  // of the half picture, for bar, caption and letters
+  const double tan_up = margin * std::tan(view_angle * pi / 360);
+  const double tan_right = tan_up * aspect_ratio;
+  double distance = 1;  // of the camera from the centre, so that every point is in the picture
+  for (const Points& points : all) {
+    const auto from_centre = (points.rowwise() - centre).array();
+    distance =
+        std::max({distance, (from_centre.col(0).abs() / tan_right - from_centre.col(2)).maxCoeff(),
+                  (from_centre.col(1).abs() / tan_up - from_centre.col(2)).maxCoeff()});
+  }
+  const Eigen::Vector3d focus = axes.transpose() * centre.transpose();
+  const Eigen::Vector3d eye = focus - distance * axes.row(2).transpose();
+  vtkCamera* camera = impl_->renderer->GetActiveCamera();
+  camera->SetFocalPoint(focus.x(), focus.y(), focus.z());
+  camera->SetPosition(eye.x(), eye.y(), eye.z());
+  camera->SetViewUp(0, 0, 1);
+  camera->SetViewAngle(view_angle);
+  impl_->renderer->ResetCameraClippingRange();
+}
+
+}  // namespace gnathion

@@ -1,0 +1,98 @@
+#include "render/split_surface.h"
+
+#include <map>
+#include <tuple>
+#include <unordered_map>
+
+#include "base/error.h"
+
+namespace gnathion {
+namespace {
+
+[[noreturn]] void refuse(const std::string& name, const std::string& problem) {
+  throw Error(ErrorKind::input, name, problem,
+              "repair the mesh in a mesh editor and load it again");
+}
+
+bool is_textured(const TexturedMesh& face, Eigen::Index triangle) {
+  const int material = face.triangle_material[static_cast<size_t>(triangle)];
+  return material >= 0 && !face.materials[static_cast<size_t>(material)].texture.empty() &&
+         face.corner_texture.row(triangle).minCoeff() >= 0;
+}
+
+/// Triangles of each part, in order of (material, textured).
+std::map<std::pair<int, bool>, std::vector<Eigen::Index>> triangles_by_part(
+    const TexturedMesh& face) {
+  std::map<std::pair<int, bool>, std::vector<Eigen::Index>> parts;
+  for (Eigen::Index t = 0; t < face.surface.triangles.rows(); ++t) {
+    parts[{face.triangle_material[static_cast<size_t>(t)], is_textured(face, t)}].push_back(t);
+  }
+  return parts;
+}
+
+SurfacePart make_part(const TexturedMesh& face, int material, bool textured,
+                      const std::vector<Eigen::Index>& triangles) {
+  SurfacePart part;
+  part.material = material;
+  part.triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
+  const auto width = static_cast<long long>(face.texture_coordinates.rows()) + 1;
+  std::unordered_map<long long, int> known;
+  for (Eigen::Index row = 0; row < part.triangles.rows(); ++row) {
+    const Eigen::Index t = triangles[static_cast<size_t>(row)];
+    for (int c = 0; c < 3; ++c) {
+      const int vertex = face.surface.triangles(t, c);
+      const int uv = textured ? face.corner_texture(t, c) : -1;
+      const auto [found, is_new] =
+          known.try_emplace(vertex * width + uv + 1, static_cast<int>(part.face_vertex.size()));
+      if (is_new) {
+        part.face_vertex.push_back(vertex);
+        if (textured) part.uv.emplace_back(face.texture_coordinates.row(uv));
+      }
+      part.triangles(row, c) = found->second;
+    }
+  }
+  return part;
+}
+
+}  // namespace
+
+std::vector<SurfacePart> split_by_corner(const TexturedMesh& face) {
+  std::vector<SurfacePart> parts;
+  for (const auto& [key, triangles] : triangles_by_part(face)) {
+    parts.push_back(make_part(face, key.first, key.second, triangles));
+  }
+  return parts;
+}
+
+void check_surface(const TriangleMesh& surface, const std::string& name) {
+  if (surface.triangles.rows() == 0) refuse(name, "it has no triangles");
+  if (!surface.vertices.allFinite()) {
+    refuse(name, "a vertex coordinate is infinite or not a number");
+  }
+  if (surface.triangles.minCoeff() < 0 || surface.triangles.maxCoeff() >= surface.vertices.rows()) {
+    refuse(name, "a triangle names a vertex that does not exist");
+  }
+}
+
+void check_face(const TexturedMesh& face, const std::string& name) {
+  check_surface(face.surface, name);
+  const Eigen::Index count = face.surface.triangles.rows();
+  if (face.corner_texture.rows() != count ||
+      face.triangle_material.size() != static_cast<size_t>(count)) {
+    refuse(name, "materials or texture corners do not match the number of triangles");
+  }
+  if (!face.texture_coordinates.allFinite()) {
+    refuse(name, "a texture coordinate is infinite or not a number");
+  }
+  if (face.corner_texture.minCoeff() < -1 ||
+      face.corner_texture.maxCoeff() >= face.texture_coordinates.rows()) {
+    refuse(name, "a corner names a texture coordinate that does not exist");
+  }
+  for (const int material : face.triangle_material) {
+    if (material < -1 || material >= static_cast<int>(face.materials.size())) {
+      refuse(name, "a triangle names a material that does not exist");
+    }
+  }
+}
+
+}  // namespace gnathion

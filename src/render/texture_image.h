@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+
+#include <vtkSmartPointer.h>
+
+class vtkTexture;
+
+namespace gnathion {
+
+/// A photograph's texture image, as it lies in the file: an EXIF rotation is not applied, because
+/// texture coordinates refer to the stored pixels. 8-bit RGB; images wider or higher than 8192
+/// pixels are made smaller, since not every driver takes them.
+/// Throws Error(input) naming the file when it is missing or cannot be read as a picture.
+vtkSmartPointer<vtkTexture> load_texture(const std::filesystem::path& path);
+
+}  // namespace gnathion

@@ -14,20 +14,23 @@ constexpr double kBorder = 1e-9;
 
 /// Distance at which the ray enters the box, or infinity when it misses it within `reach`.
 double entry(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& origin,
-             const Eigen::Vector3d& inverse_direction, double reach) {
+             const Eigen::Vector3d& direction, const Eigen::Vector3d& inverse, double reach) {
+  constexpr double kMissed = std::numeric_limits<double>::infinity();
+  const double slack = kBorder * (1 + reach);
   double near = 0;
   double far = reach;
   for (int axis = 0; axis < 3; ++axis) {
-    double t0 = (box.min()[axis] - origin[axis]) * inverse_direction[axis];
-    double t1 = (box.max()[axis] - origin[axis]) * inverse_direction[axis];
-    if (t0 > t1) std::swap(t0, t1);
-    // A ray within a flat box's plane gives 0 · inf = NaN: such a comparison is false and the
-    // axis then does not exclude the box.
-    if (t0 > near) near = t0;
-    if (t1 < far) far = t1;
+    const double to_min = box.min()[axis] - slack - origin[axis];
+    const double to_max = box.max()[axis] + slack - origin[axis];
+    if (direction[axis] == 0) {  // parallel to the faces: 0 · inf would be no number
+      if (to_min > 0 || to_max < 0) return kMissed;
+      continue;
+    }
+    const double t0 = to_min * inverse[axis], t1 = to_max * inverse[axis];
+    near = std::max(near, std::min(t0, t1));
+    far = std::min(far, std::max(t0, t1));
   }
-  const double slack = kBorder * (1 + far);
-  return near <= far + slack ? near : std::numeric_limits<double>::infinity();
+  return near <= far ? near : kMissed;
 }
 
 /// Ericson, Real-Time Collision Detection (2005), 5.1.5: the regions of the point's projection.
@@ -111,11 +114,11 @@ std::optional<RayHit> BspTree::first_hit(const Eigen::Vector3d& origin,
   stack[top++] = 0;
   while (top > 0) {
     const Node& node = nodes_[stack[--top]];
-    if (entry(node.box, origin, inverse, limit) > limit) continue;
+    if (entry(node.box, origin, direction, inverse, limit) > limit) continue;
     if (node.right != -1) {
       const int left = static_cast<int>(&node - nodes_.data()) + 1;
-      const bool left_first = entry(nodes_[left].box, origin, inverse, limit) <=
-                              entry(nodes_[node.right].box, origin, inverse, limit);
+      const bool left_first = entry(nodes_[left].box, origin, direction, inverse, limit) <=
+                              entry(nodes_[node.right].box, origin, direction, inverse, limit);
       stack[top++] = left_first ? node.right : left;
       stack[top++] = left_first ? left : node.right;
       continue;

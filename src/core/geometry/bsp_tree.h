@@ -12,14 +12,14 @@ namespace gnathion {
 struct RayHit {
   int triangle = -1;
   double distance = 0;            ///< mm along the ray
-  Eigen::Vector3d barycentric{};  ///< weights of the triangle's three vertices, sum 1
+  Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();  ///< weights of the triangle's three vertices, sum 1
 };
 
 /// The point of a surface nearest to a given one.
 struct NearestPoint {
   int triangle = -1;
   double distance = 0;  ///< mm
-  Eigen::Vector3d point{};
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
 };
 
 /// Binary space partition of a triangle surface: every node splits its triangles at the median of

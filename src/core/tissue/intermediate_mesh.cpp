@@ -1,0 +1,119 @@
+#include "tissue/intermediate_mesh.h"
+
+#include <algorithm>
+#include <string>
+
+#include "base/error.h"
+
+namespace gnathion {
+namespace {
+
+const std::string kSubject = "region";
+
+std::vector<bool> inside_triangles(const TriangleMesh& face, const std::vector<bool>& chosen) {
+  std::vector<bool> keep(static_cast<std::size_t>(face.triangles.rows()));
+  for (Eigen::Index f = 0; f < face.triangles.rows(); ++f) {
+    keep[f] = chosen[face.triangles(f, 0)] && chosen[face.triangles(f, 1)] &&
+              chosen[face.triangles(f, 2)];
+  }
+  return keep;
+}
+
+/// Keeps the piece with the most triangles. Returns how many pieces there were.
+int keep_largest_piece(const TriangleMesh& face, std::vector<bool>& keep) {
+  const SubMesh part = sub_mesh(face, keep);
+  const std::vector<int> component = triangle_components(part.mesh);
+  if (component.empty()) return 0;
+  std::vector<int> size(
+      static_cast<std::size_t>(1 + *std::max_element(component.begin(), component.end())));
+  for (const int c : component) ++size[c];
+  const auto largest = std::max_element(size.begin(), size.end()) - size.begin();
+  for (std::size_t i = 0; i < component.size(); ++i) {
+    keep[part.parent_triangle[i]] = component[i] == largest;
+  }
+  return static_cast<int>(size.size());
+}
+
+/// Drops triangles with two rim edges, and all triangles at vertices where the rim touches itself.
+/// Returns whether anything was dropped.
+bool drop_hanging_triangles(const TriangleMesh& face, std::vector<bool>& keep) {
+  const SubMesh part = sub_mesh(face, keep);
+  std::vector<int> rim_edges_of_triangle(static_cast<std::size_t>(part.mesh.triangles.rows()), 0);
+  std::vector<int> rim_edges_of_vertex(static_cast<std::size_t>(part.mesh.vertices.rows()), 0);
+  for (const Edge& edge : edges_of(part.mesh, kSubject)) {
+    if (edge.right != -1) continue;
+    ++rim_edges_of_triangle[edge.left];
+    ++rim_edges_of_vertex[edge.a];
+    ++rim_edges_of_vertex[edge.b];
+  }
+  bool dropped = false;
+  for (Eigen::Index f = 0; f < part.mesh.triangles.rows(); ++f) {
+    bool hangs = rim_edges_of_triangle[f] >= 2;
+    for (int corner = 0; corner < 3; ++corner) {
+      hangs = hangs || rim_edges_of_vertex[part.mesh.triangles(f, corner)] > 2;
+    }
+    if (!hangs) continue;
+    keep[part.parent_triangle[f]] = false;
+    dropped = true;
+  }
+  return dropped;
+}
+
+IntermediateMesh make_region(const TriangleMesh& face, const std::vector<bool>& keep) {
+  SubMesh part = sub_mesh(face, keep);
+  IntermediateMesh region{std::move(part.mesh), std::move(part.parent_vertex), {}, {}};
+  region.edges = edges_of(region.mesh, kSubject);
+  region.rim = rim_vertices(region.mesh, region.edges);
+  if (std::find(region.rim.begin(), region.rim.end(), true) == region.rim.end()) {
+    throw Error(ErrorKind::anatomy, kSubject,
+                "it has no rim: the whole surface was chosen, so nothing would hold the face",
+                "choose a smaller region (region.reach_mm, or fewer vertices)");
+  }
+  return region;
+}
+
+}  // namespace
+
+IntermediateMesh suggest_region(const TriangleMesh& face, const BspTree& segment, double reach) {
+  std::vector<bool> near(static_cast<std::size_t>(face.vertices.rows()));
+  for (Eigen::Index v = 0; v < face.vertices.rows(); ++v) {
+    near[v] = segment.nearest(face.vertices.row(v), reach).has_value();
+  }
+  std::vector<bool> keep = inside_triangles(face, near);
+  int pieces = keep_largest_piece(face, keep);
+  while (pieces > 0 && drop_hanging_triangles(face, keep)) pieces = keep_largest_piece(face, keep);
+  if (pieces == 0) {
+    throw Error(
+        ErrorKind::anatomy, kSubject,
+        "no part of the face is within " + std::to_string(reach) + " mm of the bone segment",
+        "check the photograph's transform and unit, or raise region.reach_mm");
+  }
+  return make_region(face, keep);
+}
+
+IntermediateMesh region_of_vertices(const TriangleMesh& face, const std::vector<int>& vertices) {
+  std::vector<bool> chosen(static_cast<std::size_t>(face.vertices.rows()));
+  for (const int v : vertices) {
+    if (v < 0 || v >= face.vertices.rows()) {
+      throw Error(ErrorKind::anatomy, kSubject,
+                  "vertex " + std::to_string(v) + " does not exist: the face has " +
+                      std::to_string(face.vertices.rows()) + " (counted from 0)",
+                  "give indices of the vertices of this face");
+    }
+    chosen[v] = true;
+  }
+  std::vector<bool> keep = inside_triangles(face, chosen);
+  std::vector<bool> largest = keep;
+  const int pieces = keep_largest_piece(face, largest);
+  if (pieces == 0) {
+    throw Error(ErrorKind::anatomy, kSubject, "its vertices span no triangle of the face",
+                "choose a patch of neighbouring vertices");
+  }
+  if (pieces > 1) {
+    throw Error(ErrorKind::anatomy, kSubject, "it is in " + std::to_string(pieces) + " pieces",
+                "choose one connected region around the segment");
+  }
+  return make_region(face, keep);
+}
+
+}  // namespace gnathion

@@ -1,0 +1,212 @@
+#include "tissue/st_generator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/error.h"
+#include "geometry/tet_quality.h"
+
+namespace gnathion {
+namespace {
+
+/// The elements of Algorithm 1, in its order. A tet is (a, b, c, d) with positive volume when the
+/// inner points lie behind the surface.
+Tets st_elements(const IntermediateMesh& region, const SoftTissueMesh& nodes) {
+  const Triangles& F = region.mesh.triangles;
+  // The edges that Algorithm 1 treats with triangle i: those to a neighbour of higher index.
+  std::vector<std::vector<const Edge*>> edges_of_triangle(static_cast<std::size_t>(F.rows()));
+  std::size_t interior = 0;
+  for (const Edge& edge : region.edges) {
+    if (edge.right == -1) continue;
+    edges_of_triangle[std::min(edge.left, edge.right)].push_back(&edge);
+    ++interior;
+  }
+  Tets tets(F.rows() + 3 * static_cast<Eigen::Index>(interior), 4);
+  Eigen::Index l = 0;
+  for (int i = 0; i < F.rows(); ++i) {
+    tets.row(l++) << F(i, 0), F(i, 2), F(i, 1), nodes.centre(i);
+    for (const Edge* edge : edges_of_triangle[i]) {
+      const int b = edge->a, c = edge->b;
+      const int cf = nodes.centre(edge->left), cg = nodes.centre(edge->right);
+      tets.row(l++) << cf, cg, c, b;
+      tets.row(l++) << cf, cg, b, nodes.inner(b);
+      tets.row(l++) << cf, cg, nodes.inner(c), c;
+    }
+  }
+  return tets;
+}
+
+SoftTissueMesh empty_mesh(const IntermediateMesh& region) {
+  SoftTissueMesh tissue;
+  tissue.surface_count = static_cast<int>(region.mesh.vertices.rows());
+  tissue.triangle_count = static_cast<int>(region.mesh.triangles.rows());
+  tissue.mesh.vertices.resize(2 * tissue.surface_count + tissue.triangle_count, 3);
+  tissue.mesh.vertices.topRows(tissue.surface_count) = region.mesh.vertices;
+  tissue.mesh.tets = st_elements(region, tissue);
+  return tissue;
+}
+
+/// N×3 weights of the centre points: those of the triangle's incentre, the lengths of the edges
+/// opposite to its corners. The line between two neighbours' incentres crosses their common edge
+/// between its ends whatever the triangles' shape (both touch it there); that of the centroids may
+/// pass it by, and then the elements at the edge's ends are inverted at any depth.
+Points centre_weights(const TriangleMesh& mesh) {
+  Points weights(mesh.triangles.rows(), 3);
+  for (Eigen::Index f = 0; f < weights.rows(); ++f) {
+    for (int corner = 0; corner < 3; ++corner) {
+      weights(f, corner) = (mesh.vertices.row(mesh.triangles(f, (corner + 1) % 3)) -
+                            mesh.vertices.row(mesh.triangles(f, (corner + 2) % 3)))
+                               .norm();
+    }
+  }
+  return weights.array().colwise() / weights.rowwise().sum().array();
+}
+
+/// Inner vertices at the present depths, centre points between them.
+void place_inner_points(const IntermediateMesh& region, const Points& directions,
+                        const Points& weights, SoftTissueMesh& tissue) {
+  const int M = tissue.surface_count;
+  Points& P = tissue.mesh.vertices;
+  P.middleRows(M, M) = region.mesh.vertices + tissue.depth.asDiagonal() * directions;
+  for (int i = 0; i < tissue.triangle_count; ++i) {
+    const auto f = region.mesh.triangles.row(i);
+    P.row(tissue.centre(i)) = weights(i, 0) * P.row(tissue.inner(f[0])) +
+                              weights(i, 1) * P.row(tissue.inner(f[1])) +
+                              weights(i, 2) * P.row(tissue.inner(f[2]));
+  }
+}
+
+/// Whether a tet is one across an edge, (c_f, c_g, c, b): two centre points, no inner vertex.
+bool is_across_edge(const SoftTissueMesh& tissue, Eigen::Index t) {
+  return tissue.mesh.tets(t, 1) >= 2 * tissue.surface_count &&
+         tissue.mesh.tets.row(t).tail<2>().maxCoeff() < tissue.surface_count;
+}
+
+/// For each tet, the surface vertices whose depths shape it: those it has, on either side, and the
+/// triangle of a centre point.
+std::vector<int> shaping_vertices(const IntermediateMesh& region, const SoftTissueMesh& tissue,
+                                  Eigen::Index t) {
+  std::vector<int> vertices;
+  for (const int node : tissue.mesh.tets.row(t)) {
+    if (node < 2 * tissue.surface_count) {
+      vertices.push_back(node % tissue.surface_count);
+    } else {
+      const auto f = region.mesh.triangles.row(node - 2 * tissue.surface_count);
+      vertices.insert(vertices.end(), f.begin(), f.end());
+    }
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+/// Mean area around each vertex's triangles, mm²: what a tet's volume is measured by.
+Eigen::VectorXd triangle_area_at_vertices(const TriangleMesh& mesh) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(mesh.vertices.rows());
+  Eigen::VectorXd count = Eigen::VectorXd::Zero(mesh.vertices.rows());
+  for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
+    const Eigen::Vector3d a = mesh.vertices.row(mesh.triangles(f, 0));
+    const Eigen::Vector3d b = mesh.vertices.row(mesh.triangles(f, 1));
+    const Eigen::Vector3d c = mesh.vertices.row(mesh.triangles(f, 2));
+    for (int corner = 0; corner < 3; ++corner) {
+      sum[mesh.triangles(f, corner)] += (b - a).cross(c - a).norm() / 2;
+      ++count[mesh.triangles(f, corner)];
+    }
+  }
+  return sum.cwiseQuotient(count);
+}
+
+}  // namespace
+
+SoftTissueMesh st_generator_paper(const IntermediateMesh& region, double depth,
+                                  double centre_fraction) {
+  SoftTissueMesh tissue = empty_mesh(region);
+  const int M = tissue.surface_count;
+  tissue.depth = Eigen::VectorXd::Constant(M, depth);
+  Points& P = tissue.mesh.vertices;
+  P.middleRows(M, M) = region.mesh.vertices - depth * vertex_normals(region.mesh);
+  const Points normals = triangle_normals(region.mesh);
+  for (int i = 0; i < tissue.triangle_count; ++i) {
+    const auto f = region.mesh.triangles.row(i);
+    P.row(tissue.centre(i)) =
+        (P.row(f[0]) + P.row(f[1]) + P.row(f[2])) / 3 - centre_fraction * depth * normals.row(i);
+  }
+  return tissue;
+}
+
+Points offset_directions(const IntermediateMesh& region, int smoothing_rounds) {
+  const Points inward = -vertex_normals(region.mesh);
+  const Points behind = -triangle_normals(region.mesh);
+  const auto neighbours = vertex_neighbours(region.mesh);
+  Points directions = inward;
+  for (int round = 0; round < smoothing_rounds; ++round) {
+    Points mean = directions;
+    for (Eigen::Index v = 0; v < mean.rows(); ++v) {
+      for (const int w : neighbours[v]) mean.row(v) += directions.row(w);
+    }
+    directions = mean.rowwise().normalized();
+  }
+  // Least cosine between a vertex's direction and the triangles it must stay behind.
+  const auto least_cosine = [&](const Points& d) {
+    Eigen::VectorXd least = Eigen::VectorXd::Ones(d.rows());
+    for (Eigen::Index f = 0; f < behind.rows(); ++f) {
+      for (const int v : region.mesh.triangles.row(f)) {
+        least[v] = std::min(least[v], d.row(v).dot(behind.row(f)));
+      }
+    }
+    return least;
+  };
+  const Eigen::VectorXd before = least_cosine(inward);
+  constexpr double kEnough = 0.3;
+  for (int round = 0; round < 8; ++round) {
+    const Eigen::VectorXd now = least_cosine(directions);
+    for (Eigen::Index v = 0; v < directions.rows(); ++v) {
+      if (now[v] >= std::min(kEnough, before[v])) continue;
+      directions.row(v) = (directions.row(v) + inward.row(v)).normalized().eval();
+    }
+  }
+  return directions;
+}
+
+SoftTissueMesh st_generator(const IntermediateMesh& region, const Points& directions,
+                            const Eigen::VectorXd& depth, const RobustGeneratorOptions& options) {
+  SoftTissueMesh tissue = empty_mesh(region);
+  tissue.depth = depth;
+  const Points weights = centre_weights(region.mesh);
+  const Eigen::VectorXd area = triangle_area_at_vertices(region.mesh);
+  Eigen::Index worst = 0;
+  for (int round = 0; round <= options.repair_rounds; ++round) {
+    place_inner_points(region, directions, weights, tissue);
+    const Eigen::VectorXd volumes = tet_volumes(tissue.mesh);
+    Eigen::VectorXd factor = Eigen::VectorXd::Ones(tissue.surface_count);
+    bool clean = true;
+    for (Eigen::Index t = 0; t < volumes.size(); ++t) {
+      const std::vector<int> vertices = shaping_vertices(region, tissue, t);
+      double flat = std::numeric_limits<double>::infinity();
+      for (const int v : vertices) flat = std::min(flat, area[v] * tissue.depth[v] / 3);
+      if (volumes[t] > options.smallest_volume_ratio * flat) continue;
+      clean = false;
+      worst = vertices.front();
+      // Across a concave edge the centre points must lie below it: there tissue is too thin.
+      // Elsewhere inner points have crossed: there it is too thick.
+      const bool too_thin = is_across_edge(tissue, t);
+      for (const int v : vertices) {
+        if (too_thin) {
+          factor[v] = 1 / options.shrink;
+        } else if (factor[v] == 1) {
+          factor[v] = options.shrink;
+        }
+      }
+    }
+    if (clean) return tissue;
+    tissue.depth.array() *= factor.array();
+  }
+  const Eigen::RowVector3d at = region.mesh.vertices.row(worst);
+  throw Error(ErrorKind::anatomy, "region",
+              "the face is folded at LPS (" + std::to_string(at[0]) + ", " + std::to_string(at[1]) +
+                  ", " + std::to_string(at[2]) + ") mm, so that no tetrahedra fit below it",
+              "leave this place out of the region, or smooth the face there");
+}
+
+}  // namespace gnathion

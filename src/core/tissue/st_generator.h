@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/triangle_mesh.h"
+#include "tissue/intermediate_mesh.h"
+
+namespace gnathion {
+
+/// A tetrahedral mesh by the ST Generator. Of M surface vertices and N triangles, nodes 0…M−1 are
+/// the surface vertices P_i = J_i, M…2M−1 the inner vertices b', 2M…2M+N−1 the centre points c.
+/// |tets| = N + 3 E_i, E_i the interior edges.
+struct SoftTissueMesh {
+  TetMesh mesh;
+  int surface_count = 0;   ///< M
+  int triangle_count = 0;  ///< N
+  Eigen::VectorXd depth;   ///< M: distance from J_i to its inner vertex, mm
+
+  int inner(int vertex) const { return surface_count + vertex; }
+  int centre(int triangle) const { return 2 * surface_count + triangle; }
+};
+
+/// Algorithm 1 of the paper (4.1.3) with its points and order:
+///   P_{i+M} = J_i − d n(J_i),  P_{i+2M} = centre(F_i) − d_c n(F_i).
+/// The paper does not give d_c; its figure has the centre point within the layer. Nothing is
+/// mended: where the surface is concave, elements invert.
+/// `depth`: d > 0, mm; `centre_fraction`: d_c/d, above 0, at most 1.
+SoftTissueMesh st_generator_paper(const IntermediateMesh& region, double depth,
+                                  double centre_fraction = 0.5);
+
+struct RobustGeneratorOptions {
+  double shrink = 0.85;  ///< factor on the depth, one round, where elements are inverted
+  int repair_rounds = 60;
+  double smallest_volume_ratio = 0.02;  ///< of a tet, against the volume it has on a flat patch
+};
+
+/// Unit directions into the tissue at each vertex: −n(J_i), smoothed over the surface, and turned
+/// back where smoothing would leave the half space behind a triangle of the vertex. M×3.
+Points offset_directions(const IntermediateMesh& region, int smoothing_rounds = 20);
+
+/// The robust generator: the paper's elements, but the inner vertex of J_i lies `depth[i]` along
+/// `directions` (so that it can lie on the bone), and the centre point is a weighted mean of the
+/// three inner vertices, which keeps the tissue's volume. Where elements would be inverted depths
+/// shrink, or grow across edges too concave for thin tissue, until none is:
+/// `SoftTissueMesh::depth` says what was used.
+/// directions: M×3; depth: M, mm, > 0.
+/// Throws Error(anatomy) naming the place when the surface is folded so that no depth helps.
+SoftTissueMesh st_generator(const IntermediateMesh& region, const Points& directions,
+                            const Eigen::VectorXd& depth,
+                            const RobustGeneratorOptions& options = {});
+
+}  // namespace gnathion

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+
+#include "tissue/intermediate_mesh.h"
+
+namespace gnathion {
+
+/// The surface map W (paper, 4.2.1): |face| × |intermediate|, so that displacements of the face are
+/// W times those of the intermediate mesh. By index: row face_vertex[i] has a one in column i, the
+/// other rows are empty.
+using SurfaceMap = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+SurfaceMap index_map(const IntermediateMesh& region, Eigen::Index face_vertex_count);
+
+/// W ⊗ I₃ times a basis whose rows are 3i+axis (first |intermediate| points of it), for the rows of
+/// W that are not empty: 3k×c. `rows` receives their k face vertices.
+Eigen::MatrixXd compose(const SurfaceMap& W, const Eigen::MatrixXd& basis, std::vector<int>& rows);
+
+}  // namespace gnathion

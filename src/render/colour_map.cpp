@@ -75,14 +75,13 @@ vtkSmartPointer<vtkLookupTable> diverging_table(double half_range) {
 double round_half_range(const Eigen::VectorXd& values) {
   std::vector<double> sizes;
   for (const double value : values) {
-    if (std::isfinite(value)) sizes.push_back(std::abs(value));
+    if (std::isfinite(value) && std::abs(value) > 0.05) sizes.push_back(std::abs(value));
   }
   if (sizes.empty()) return 1;
   const auto rank =
       static_cast<std::ptrdiff_t>(std::ceil(0.99 * static_cast<double>(sizes.size())));
   const auto place = sizes.begin() + std::max<std::ptrdiff_t>(rank - 1, 0);
   std::nth_element(sizes.begin(), place, sizes.end());
-  if (*std::max_element(sizes.begin(), sizes.end()) == 0) return 1;
   const double wanted = std::max(*place, 0.1);
   const double unit = std::pow(10, std::floor(std::log10(wanted) + 1e-9));
   for (const double step : {1, 2, 3, 4, 5, 6, 8}) {

@@ -21,8 +21,8 @@ Eigen::Vector3d diverging_colour(double position);
 vtkSmartPointer<vtkLookupTable> diverging_table(double half_range);
 
 /// A round number of mm (1, 2, 3, 4, 5, 6, 8 or 10 times a power of ten) that at least 99 % of the
-/// finite |values| do not exceed, at least 0.1; 1 when all are zero or none is finite. A few
-/// outliers thus do not wash the map out.
+/// finite |values| above 0.05 mm do not exceed, at least 0.1; 1 when there are none. A few outliers
+/// thus do not wash the map out, and a large face at rest around a small change does not cut it.
 double round_half_range(const Eigen::VectorXd& values);
 
 }  // namespace gnathion

@@ -44,7 +44,8 @@ const Eigen::Vector3d background_high{0.93, 0.945, 0.96};
 const Eigen::Vector3d ink{0.13, 0.17, 0.22};
 const Eigen::Vector3d skin{0.86, 0.70, 0.61};
 constexpr double pi = 3.14159265358979323846;
-constexpr double view_angle = 18;  // degrees: a portrait lens, little perspective distortion
+constexpr double head_height = 255;  // mm, from the vertex to below an adult's chin
+constexpr double view_angle = 18;    // degrees: a portrait lens, little perspective distortion
 
 /// Rows of `source` in the order of `row_of`, as VTK's float tuples.
 void copy_rows(const Points& source, const std::vector<int>& row_of, vtkFloatArray* target) {
@@ -159,6 +160,22 @@ Eigen::Matrix3d picture_axes(CameraPreset view) {
   return axes;
 }
 
+/// The box, in picture axes (right, up, away), of what a preset frames: everything, but of a taller
+/// subject only the head.
+std::pair<Eigen::RowVector3d, Eigen::RowVector3d> framed_box(const std::vector<Points>& all) {
+  double top = all.front()(0, 1);
+  for (const Points& points : all) top = std::max(top, points.col(1).maxCoeff());
+  Eigen::RowVector3d low = Eigen::RowVector3d::Constant(1e30), high = -low;
+  for (const Points& points : all) {
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+      if (points(i, 1) < top - head_height) continue;
+      low = low.cwiseMin(points.row(i));
+      high = high.cwiseMax(points.row(i));
+    }
+  }
+  return {low, high};
+}
+
 /// The letters of the sides that `direction` (unit, LPS) points to, the larger share first.
 std::string side_letters(const Eigen::Vector3d& direction) {
   const char* const letters[3] = {"LR", "PA", "HF"};
@@ -172,11 +189,10 @@ std::string side_letters(const Eigen::Vector3d& direction) {
   return text;
 }
 
-vtkSmartPointer<vtkTextActor> text_at(double x, double y, int size) {
+vtkSmartPointer<vtkTextActor> text_at(double x, double y) {
   auto text = vtkSmartPointer<vtkTextActor>::New();
   text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   text->SetPosition(x, y);
-  text->GetTextProperty()->SetFontSize(size);
   text->GetTextProperty()->SetColor(ink.x(), ink.y(), ink.z());
   text->SetInput("");
   text->PickableOff();
@@ -185,7 +201,6 @@ vtkSmartPointer<vtkTextActor> text_at(double x, double y, int size) {
 
 void style_bar(vtkScalarBarActor* bar) {
   bar->SetOrientationToVertical();
-  bar->SetMaximumWidthInPixels(70);
   bar->SetUnconstrainedFontSize(true);
   bar->SetNumberOfLabels(5);
   bar->SetPosition(0.84, 0.16);
@@ -194,7 +209,6 @@ void style_bar(vtkScalarBarActor* bar) {
   bar->SetBarRatio(0.3);
   bar->SetMaximumNumberOfColors(257);
   for (vtkTextProperty* text : {bar->GetTitleTextProperty(), bar->GetLabelTextProperty()}) {
-    text->SetFontSize(13);
     text->ItalicOff();
     text->BoldOff();
     text->ShadowOff();
@@ -230,9 +244,9 @@ struct FaceScene::Impl {
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkLightKit> lights;
   vtkNew<vtkScalarBarActor> bar;
-  vtkSmartPointer<vtkTextActor> label = text_at(0.03, 0.97, 18);
-  vtkSmartPointer<vtkTextActor> left_letter = text_at(0.02, 0.5, 15);
-  vtkSmartPointer<vtkTextActor> right_letter = text_at(0.98, 0.5, 15);
+  vtkSmartPointer<vtkTextActor> label = text_at(0.03, 0.97);
+  vtkSmartPointer<vtkTextActor> left_letter = text_at(0.02, 0.5);
+  vtkSmartPointer<vtkTextActor> right_letter = text_at(0.98, 0.5);
   vtkNew<vtkCallbackCommand> before_render;
 
   TriangleMesh face;
@@ -279,8 +293,21 @@ struct FaceScene::Impl {
     lights->AddLightsToRenderer(renderer);
   }
 
+  /// Text grows with the picture, within what can be read and does not shout.
+  void size_texts() {
+    const int height = renderer->GetSize()[1];
+    const int size = std::clamp(height / 28, 11, 24);
+    label->GetTextProperty()->SetFontSize(size);
+    left_letter->GetTextProperty()->SetFontSize(size * 4 / 5);
+    right_letter->GetTextProperty()->SetFontSize(size * 4 / 5);
+    bar->GetTitleTextProperty()->SetFontSize(size * 3 / 4);
+    bar->GetLabelTextProperty()->SetFontSize(size * 3 / 4);
+    bar->SetMaximumWidthInPixels(std::clamp(height / 8, 60, 90));
+  }
+
   void prepare_frame() {
     renderer->ResetCameraClippingRange();
+    size_texts();
     vtkCamera* camera = renderer->GetActiveCamera();
     Eigen::Vector3d up(camera->GetViewUp());
     Eigen::Vector3d away(camera->GetDirectionOfProjection());
@@ -502,21 +529,19 @@ void FaceScene::look_from(CameraPreset view, double aspect_ratio) {
   const Eigen::Matrix3d axes = picture_axes(view);
   const std::vector<Points> all = impl_->visible_points(axes);
   if (all.empty()) return;
-  Eigen::RowVector3d low = all.front().row(0), high = low;
-  for (const Points& points : all) {
-    low = low.cwiseMin(points.colwise().minCoeff());
-    high = high.cwiseMax(points.colwise().maxCoeff());
-  }
+  const auto [low, high] = framed_box(all);
   const Eigen::RowVector3d centre = (low + high) / 2;
   constexpr double margin = 0.88;  // of the half picture, for bar, caption and letters
   const double tan_up = margin * std::tan(view_angle * pi / 360);
   const double tan_right = tan_up * aspect_ratio;
   double distance = 1;  // of the camera from the centre, so that every point is in the picture
   for (const Points& points : all) {
-    const auto from_centre = (points.rowwise() - centre).array();
-    distance =
-        std::max({distance, (from_centre.col(0).abs() / tan_right - from_centre.col(2)).maxCoeff(),
-                  (from_centre.col(1).abs() / tan_up - from_centre.col(2)).maxCoeff()});
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+      if (points(i, 1) < low.y()) continue;
+      const Eigen::RowVector3d x = points.row(i) - centre;
+      distance =
+          std::max({distance, std::abs(x(0)) / tan_right - x(2), std::abs(x(1)) / tan_up - x(2)});
+    }
   }
   const Eigen::Vector3d focus = axes.transpose() * centre.transpose();
   const Eigen::Vector3d eye = focus - distance * axes.row(2).transpose();

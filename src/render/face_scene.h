@@ -88,7 +88,8 @@ class FaceScene {
   /// Letters at the picture's edges for the patient's side that lies there (L, R, A, P, H, F).
   void set_orientation_letters(bool visible);
 
-  /// Places the camera so that everything visible fills a picture of the given width / height.
+  /// Places the camera so that everything visible fills a picture of the given width / height; of
+  /// a subject taller than a head (255 mm), such as a scan with shoulders, its upper part.
   void look_from(CameraPreset view, double aspect_ratio);
 
  private:

@@ -1,0 +1,239 @@
+#include "render/face_scene.h"
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+#include "base/error.h"
+#include "render/baseline.h"
+#include "render/scene_fixture.h"
+
+namespace gnathion::test {
+namespace {
+
+bool is_red(const std::uint8_t* p) {
+  return p[0] > 120 && p[1] < 60 && p[2] < 70;
+}
+bool is_blue(const std::uint8_t* p) {
+  return p[2] > 150 && p[0] < 110;
+}
+
+/// A bump at the chin and a hollow at the forehead's left, mm.
+Eigen::VectorXd bump_and_hollow(const TexturedMesh& head) {
+  Eigen::VectorXd values(head.surface.vertices.rows());
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    const Eigen::RowVector3d x = head.surface.vertices.row(i);
+    const double chin = (x - Eigen::RowVector3d(0, -75, -65)).squaredNorm();
+    const double brow = (x - Eigen::RowVector3d(40, -70, 55)).squaredNorm();
+    values(i) = 4 * std::exp(-chin / 1200) - 4 * std::exp(-brow / 700);
+  }
+  return values;
+}
+
+TEST_F(SceneTest, TexturedHeadLooksAsStored) {
+  scene.set_face(head);
+  scene.set_label("Before");
+  EXPECT_TRUE(matches_baseline(front(), "head_front"));
+  EXPECT_TRUE(matches_baseline(render_picture(scene, CameraPreset::three_quarter, 320, 320),
+                               "head_three_quarter"));
+  EXPECT_TRUE(matches_baseline(render_picture(scene, CameraPreset::right, 320, 240), "head_right"));
+}
+
+TEST_F(SceneTest, ColourMapLooksAsStored) {
+  scene.set_face(head);
+  scene.show_colour_map(bump_and_hollow(head));
+  EXPECT_TRUE(matches_baseline(front(), "colour_map_front"));
+}
+
+TEST_F(SceneTest, BonesUnderTranslucentFaceLookAsStored) {
+  scene.set_face(head);
+  scene.set_face_opacity(0.35);
+  scene.set_bone("skull", ellipsoid({0, 8, 25}, {62, 78, 78}), skull_look);
+  scene.set_bone("segment", ellipsoid({0, -35, -62}, {38, 36, 18}), segment_look);
+  RigidMotion forward;
+  forward.translation = {0, -12, 0};
+  scene.set_bone_pose("segment", forward);
+  EXPECT_TRUE(matches_baseline(render_picture(scene, CameraPreset::left, 320, 320), "bones_left"));
+}
+
+TEST_F(SceneTest, PatientsLeftIsOnThePicturesRightInFront) {
+  scene.set_face(head);
+  EXPECT_GT(mean_column(front(), is_red), 200);
+  const Picture left = render_picture(scene, CameraPreset::left, 320, 320);
+  EXPECT_GT(mean_column(left, is_red), 0);
+  EXPECT_LT(mean_column(left, is_red), 160);  // before the ear, and the nose is to the left
+  const Picture right = render_picture(scene, CameraPreset::right, 320, 320);
+  EXPECT_EQ(mean_column(right, is_red), -1);
+}
+
+TEST_F(SceneTest, MovedPointsChangeThePictureAndComeBack) {
+  scene.set_face(head);
+  const Picture before = front();
+  Points moved = head.surface.vertices;
+  moved.col(0).array() += moved.col(2).array() * 0.2;
+  scene.set_face_points(moved);
+  EXPECT_GT(difference(front(), before).far_pixels, 0.05);
+  scene.set_face_points(head.surface.vertices);
+  EXPECT_EQ(front(), before);
+}
+
+TEST_F(SceneTest, MovedPointsLookLikeAFaceMadeOfThem) {
+  scene.set_face(head);
+  TexturedMesh other = head;
+  other.surface.vertices.col(1).array() *= 1.15;
+  scene.set_face_points(other.surface.vertices);
+  const Picture updated = front();
+  FaceScene fresh;
+  fresh.set_face(other);
+  EXPECT_EQ(updated, render_picture(fresh, CameraPreset::front, 320, 320));
+}
+
+TEST_F(SceneTest, RefusesWrongPoints) {
+  scene.set_face(head);
+  const Picture before = front();
+  Points broken = head.surface.vertices;
+  broken(5, 1) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(scene.set_face_points(broken), Error);
+  EXPECT_THROW(scene.set_face_points(broken.topRows(10)), Error);
+  EXPECT_EQ(front(), before);
+}
+
+TEST_F(SceneTest, RefusesABrokenFaceAndKeepsTheOneShown) {
+  scene.set_face(head);
+  const Picture before = front();
+  TexturedMesh broken = head;
+  broken.surface.vertices(3, 0) = std::numeric_limits<double>::quiet_NaN();
+  try {
+    scene.set_face(broken, "photo.obj");
+    FAIL() << "a face with a coordinate that is not a number was accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::input);
+    EXPECT_EQ(error.subject(), "photo.obj");
+  }
+  EXPECT_EQ(front(), before);
+}
+
+TEST_F(SceneTest, MissingTextureNamesTheFileAndKeepsTheFaceShown) {
+  scene.set_face(head);
+  const Picture before = front();
+  TexturedMesh other = head;
+  other.materials[0].texture = folder / "absent.jpg";
+  try {
+    scene.set_face(other);
+    FAIL() << "a face without its texture was accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::input);
+    EXPECT_EQ(error.subject(), (folder / "absent.jpg").string());
+  }
+  EXPECT_EQ(front(), before);
+}
+
+TEST_F(SceneTest, UnreadableTextureNamesTheFile) {
+  std::ofstream(folder / "text.png") << "this is no picture";
+  head.materials[0].texture = folder / "text.png";
+  try {
+    scene.set_face(head);
+    FAIL() << "a text file was accepted as a texture";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::input);
+    EXPECT_EQ(error.subject(), (folder / "text.png").string());
+  }
+}
+
+TEST_F(SceneTest, ColourMapIsCoolInHollowsHotOnBulgesAndHasABar) {
+  scene.set_face(head);
+  scene.set_orientation_letters(false);
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(head.surface.vertices.rows());
+  scene.show_colour_map(rest, 4);
+  const Picture flat = front();
+  // At rest the only colour in the picture is the bar: hot above cool, on the right.
+  EXPECT_GT(mean_column(flat, is_red), 260);
+  EXPECT_GT(mean_column(flat, is_blue), 260);
+  scene.show_colour_map(Eigen::VectorXd::Constant(rest.size(), 4.0), 4);
+  EXPECT_LT(mean_column(front(), is_red), 200);
+  scene.show_colour_map(Eigen::VectorXd::Constant(rest.size(), -4.0), 4);
+  EXPECT_LT(mean_column(front(), is_blue), 200);
+  scene.hide_colour_map();
+  EXPECT_EQ(mean_column(front(), is_blue), -1);
+}
+
+TEST_F(SceneTest, UnmeasuredValuesAreGrey) {
+  scene.set_face(head);
+  const auto count = head.surface.vertices.rows();
+  scene.show_colour_map(Eigen::VectorXd::Constant(count, std::numeric_limits<double>::quiet_NaN()),
+                        1);
+  const Picture picture = front();
+  const std::uint8_t* forehead = picture.at(160, 110);
+  EXPECT_NEAR(forehead[0], forehead[2], 12);
+  EXPECT_LT(forehead[0], 190);
+}
+
+TEST_F(SceneTest, ColourMapOfAnotherFaceIsRefused) {
+  EXPECT_THROW(scene.show_colour_map(Eigen::VectorXd::Zero(3)), Error);
+  scene.set_face(head);
+  EXPECT_THROW(scene.show_colour_map(Eigen::VectorXd::Zero(3)), Error);
+}
+
+TEST_F(SceneTest, PoseMovesABone) {
+  scene.set_bone("skull", ellipsoid({0, 0, 0}, {60, 60, 60}), skull_look);
+  scene.set_bone("segment", ellipsoid({0, -60, 0}, {15, 15, 15}), {{0.9, 0, 0}, 1});
+  scene.look_from(CameraPreset::front, 1);
+  OffscreenRenderer renderer;
+  const double rest = mean_column(renderer.render(scene, 320, 320), is_red);
+  RigidMotion motion;
+  motion.translation = {25, 0, 0};
+  scene.set_bone_pose("segment", motion);
+  const double shifted = mean_column(renderer.render(scene, 320, 320), is_red);
+  EXPECT_NEAR(rest, 160, 2);
+  EXPECT_GT(shifted, rest + 25);
+}
+
+TEST_F(SceneTest, HiddenAndRemovedThingsLeaveThePicture) {
+  scene.set_orientation_letters(false);
+  scene.set_face(head);
+  scene.look_from(CameraPreset::front, 1);
+  OffscreenRenderer renderer;
+  const Picture with_face = renderer.render(scene, 200, 200);
+  scene.set_face_visible(false);
+  const Picture empty = renderer.render(scene, 200, 200);
+  EXPECT_NE(empty, with_face);
+  scene.set_bone("skull", ellipsoid({0, 0, 0}, {60, 60, 60}), skull_look);
+  EXPECT_NE(renderer.render(scene, 200, 200), empty);
+  scene.set_bone_visible("skull", false);
+  EXPECT_EQ(renderer.render(scene, 200, 200), empty);
+  scene.set_bone_visible("skull", true);
+  scene.remove_bones();
+  EXPECT_TRUE(scene.bone_names().empty());
+  EXPECT_EQ(renderer.render(scene, 200, 200), empty);
+  scene.set_face_visible(true);
+  EXPECT_EQ(renderer.render(scene, 200, 200), with_face);
+  scene.remove_face();
+  EXPECT_FALSE(scene.has_face());
+  EXPECT_EQ(renderer.render(scene, 200, 200), empty);
+}
+
+TEST_F(SceneTest, EveryPresetShowsTheWholeHead) {
+  scene.set_orientation_letters(false);
+  FaceScene empty;
+  empty.set_orientation_letters(false);
+  scene.set_face(head);
+  for (const CameraPreset view : {CameraPreset::front, CameraPreset::left, CameraPreset::right,
+                                  CameraPreset::three_quarter}) {
+    const Picture picture = render_picture(scene, view, 300, 200);
+    const Picture background = render_picture(empty, view, 300, 200);
+    int inside = 0;
+    for (int y = 0; y < 200; ++y) {
+      for (int x = 0; x < 300; ++x) {
+        const bool is_head =
+            !std::equal(picture.at(x, y), picture.at(x, y) + 3, background.at(x, y));
+        const bool border = x < 5 || x >= 295 || y < 5 || y >= 195;
+        EXPECT_FALSE(is_head && border) << name_of(view) << " cuts at " << x << ", " << y;
+        inside += is_head;
+      }
+    }
+    EXPECT_GT(inside, 12000) << name_of(view);
+  }
+}
+
+}  // namespace
+}  // namespace gnathion::test

@@ -11,8 +11,9 @@ namespace gnathion {
 /// Where a ray meets a surface.
 struct RayHit {
   int triangle = -1;
-  double distance = 0;            ///< mm along the ray
-  Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();  ///< weights of the triangle's three vertices, sum 1
+  double distance = 0;  ///< mm along the ray
+  Eigen::Vector3d barycentric =
+      Eigen::Vector3d::Zero();  ///< weights of the triangle's three vertices, sum 1
 };
 
 /// The point of a surface nearest to a given one.

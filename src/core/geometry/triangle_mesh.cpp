@@ -171,6 +171,21 @@ double signed_volume(const TriangleMesh& mesh) {
   return six_times / 6;
 }
 
+Eigen::Vector3d centre_of_volume(const TriangleMesh& mesh) {
+  const Eigen::RowVector3d middle = mesh.vertices.colwise().mean();
+  Eigen::RowVector3d moment = Eigen::RowVector3d::Zero();
+  double six_times = 0;
+  for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
+    const Eigen::RowVector3d a = mesh.vertices.row(mesh.triangles(f, 0)) - middle;
+    const Eigen::RowVector3d b = mesh.vertices.row(mesh.triangles(f, 1)) - middle;
+    const Eigen::RowVector3d c = mesh.vertices.row(mesh.triangles(f, 2)) - middle;
+    const double volume = a.dot(b.cross(c));
+    moment += volume * (a + b + c) / 4;
+    six_times += volume;
+  }
+  return (middle + moment / six_times).transpose();
+}
+
 double surface_area(const TriangleMesh& mesh) {
   double twice = 0;
   for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) twice += scaled_normal(mesh, f).norm();

@@ -52,6 +52,9 @@ std::vector<std::vector<int>> vertex_neighbours(const TriangleMesh& mesh);
 /// Enclosed volume in mm³ of a closed surface, positive when its normals point outward.
 double signed_volume(const TriangleMesh& mesh);
 
+/// Centre of the volume that a closed surface encloses, mm.
+Eigen::Vector3d centre_of_volume(const TriangleMesh& mesh);
+
 /// mm².
 double surface_area(const TriangleMesh& mesh);
 

@@ -1,0 +1,293 @@
+#include "io/case_file.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "io/json_reader.h"
+
+namespace gnathion {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr int kVersion = 1;
+
+fs::path beside(const fs::path& case_file, const std::string& path) {
+  return fs::path(path).is_absolute() ? fs::path(path) : case_file.parent_path() / path;
+}
+
+void read_positive(JsonReader& object, const std::string& key, double& value) {
+  object.read(key, value);
+  if (!std::isfinite(value) || value <= 0) {
+    object.refuse(key, "it is not greater than 0", "give a positive number");
+  }
+}
+
+LpsBox read_box(JsonReader object) {
+  const LpsBox box{object.required_vector("min"), object.required_vector("max")};
+  if (!(box.min.array() < box.max.array()).all()) {
+    object.refuse("min", "it is not below \"max\" in every coordinate",
+                  "give the box's smallest x, y, z as min and its largest as max, LPS mm");
+  }
+  object.finish();
+  return box;
+}
+
+BoundedCut read_cut(JsonReader segment) {
+  if (segment.has("box") == segment.has("plate")) {
+    segment.refuse("box", "the segment needs exactly one cut, \"box\" or \"plate\"",
+                   "give one of them");
+  }
+  BoundedCut cut;
+  if (segment.has("box")) {
+    const LpsBox box = read_box(segment.object("box"));
+    cut = box_between(box.min, box.max);
+  } else {
+    JsonReader plate = segment.object("plate");
+    PlateCut blade;
+    blade.centre = plate.required_vector("centre");
+    blade.normal = plate.required_vector("normal");
+    blade.in_plane = plate.required_vector("width_direction");
+    blade.seed = plate.required_vector("seed");
+    read_positive(plate, "half_width_mm", blade.half_width);
+    read_positive(plate, "half_height_mm", blade.half_height);
+    read_positive(plate, "kerf_mm", blade.kerf);
+    if (blade.normal.cross(blade.in_plane).norm() < 1e-9) {
+      plate.refuse("width_direction", "it is parallel to the normal or zero",
+                   "give a direction within the blade");
+    }
+    plate.finish();
+    cut = blade;
+  }
+  segment.finish();
+  return cut;
+}
+
+Similarity read_transform(JsonReader object) {
+  Similarity transform;
+  read_positive(object, "scale", transform.scale);
+  object.read("rotation", transform.rotation);
+  object.read("translation_mm", transform.translation);
+  const Eigen::Matrix3d& R = transform.rotation;
+  if ((R.transpose() * R - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() > 1e-6 ||
+      R.determinant() < 0) {
+    object.refuse("rotation", "its rows are not those of a rotation matrix",
+                  "give three orthonormal rows with determinant +1; a scale has its own key");
+  }
+  object.finish();
+  return transform;
+}
+
+/// Whitespace-separated vertex numbers.
+std::vector<int> read_vertices(const fs::path& path) {
+  std::ifstream stream(path);
+  if (!stream) {
+    throw Error(ErrorKind::input, path.string(), "the file cannot be opened",
+                "check region.vertices_file");
+  }
+  std::vector<int> vertices;
+  for (int v = 0; stream >> v;) vertices.push_back(v);
+  if (!stream.eof()) {
+    throw Error(ErrorKind::input, path.string(),
+                "entry " + std::to_string(vertices.size() + 1) + " is no whole number",
+                "give vertex numbers of the face, from 0, separated by spaces or lines");
+  }
+  if (vertices.empty()) {
+    throw Error(ErrorKind::input, path.string(), "the file names no vertex",
+                "give vertex numbers of the face, or leave region.vertices_file out");
+  }
+  return vertices;
+}
+
+TissueModel read_tissue(JsonReader object) {
+  TissueModel tissue;
+  std::string generator = "robust", load = "displacement";
+  object.read("generator", generator);
+  object.read("load", load);
+  if (generator != "robust" && generator != "paper") {
+    object.refuse("generator", "\"" + generator + "\" is not known", "give robust or paper");
+  }
+  if (load != "displacement" && load != "force") {
+    object.refuse("load", "\"" + load + "\" is not known", "give displacement or force");
+  }
+  tissue.generator = generator == "paper" ? Generator::paper : Generator::robust;
+  tissue.load = load == "force" ? LoadModel::force : LoadModel::displacement;
+  read_positive(object, "depth_mm", tissue.depth_mm);
+  read_positive(object, "bone_reach_mm", tissue.bone_reach_mm);
+  object.read("young_MPa", tissue.material.young_MPa);
+  object.read("poisson", tissue.material.poisson);
+  try {
+    validate(tissue.material);
+  } catch (const Error& error) {
+    const bool is_poisson = error.subject() == "tissue.poisson";
+    object.refuse(is_poisson ? "poisson" : "young_MPa", error.problem(), error.remedy());
+  }
+  object.finish();
+  return tissue;
+}
+
+void read_motion(JsonReader object, SurgicalCase& plan) {
+  object.read("forward_mm", plan.motion.forward_mm);
+  object.read("up_mm", plan.motion.up_mm);
+  object.read("left_mm", plan.motion.left_mm);
+  object.read("pitch_deg", plan.motion.pitch_deg);
+  object.read("roll_deg", plan.motion.roll_deg);
+  object.read("yaw_deg", plan.motion.yaw_deg);
+  if (object.has("pivot")) plan.pivot = object.required_vector("pivot");
+  object.finish();
+}
+
+}  // namespace
+
+SurgicalCase read_case_file(const fs::path& path) {
+  JsonReader root = JsonReader::file(path.string());
+  double version = 0;
+  root.read("gnathion_case", version);
+  if (version != kVersion) {
+    root.refuse("gnathion_case", "it is not " + std::to_string(kVersion),
+                "write \"gnathion_case\": 1; this program reads no other version");
+  }
+  SurgicalCase plan;
+  root.read("name", plan.name);
+
+  JsonReader ct = root.required_object("ct");
+  plan.ct.path = beside(path, ct.required_string("path"));
+  if (ct.has("series_uid")) plan.ct.series_uid = ct.required_string("series_uid");
+  if (ct.has("crop")) plan.bone.crop = plan.skin.crop = read_box(ct.object("crop"));
+  ct.read("remove_support", plan.skin.remove_support);
+  plan.bone.remove_support = plan.skin.remove_support;
+  ct.finish();
+
+  JsonReader bone = root.object("bone");
+  bone.read("hu", plan.bone.hu);
+  read_positive(bone, "smallest_piece_mm3", plan.bone.minimum_component_volume);
+  bone.finish();
+  JsonReader skin = root.object("skin");
+  skin.read("hu", plan.skin.hu);
+  read_positive(skin, "edge_mm", plan.skin.edge_mm);
+  skin.finish();
+
+  plan.cut = read_cut(root.required_object("segment"));
+  if (root.has("photograph")) {
+    JsonReader photograph = root.object("photograph");
+    PhotographSource source;
+    source.obj = beside(path, photograph.required_string("obj"));
+    source.lps_from_photograph = read_transform(photograph.object("transform"));
+    photograph.finish();
+    plan.photograph = source;
+  }
+  JsonReader region = root.object("region");
+  read_positive(region, "reach_mm", plan.region.reach_mm);
+  if (region.has("vertices_file")) {
+    plan.region.vertices = read_vertices(beside(path, region.required_string("vertices_file")));
+  }
+  region.finish();
+  plan.tissue = read_tissue(root.object("tissue"));
+  read_motion(root.object("motion"), plan);
+  JsonReader landmarks = root.object("landmarks");
+  for (const std::string& name : landmarks.keys()) {
+    plan.landmarks[name] = landmarks.required_vector(name);
+  }
+  root.finish();
+  return plan;
+}
+
+namespace {
+
+json vector_json(const Eigen::Vector3d& v) {
+  return {v[0], v[1], v[2]};
+}
+
+json box_json(const LpsBox& box) {
+  return {{"min", vector_json(box.min)}, {"max", vector_json(box.max)}};
+}
+
+std::string path_json(const fs::path& target, const fs::path& case_file) {
+  const fs::path folder = fs::absolute(case_file).parent_path().lexically_normal();
+  const fs::path relative = fs::absolute(target).lexically_normal().lexically_relative(folder);
+  const bool within = !relative.empty() && *relative.begin() != "..";
+  return within ? relative.string() : fs::absolute(target).lexically_normal().string();
+}
+
+json segment_json(const BoundedCut& cut) {
+  if (const auto* box = std::get_if<BoxCut>(&cut)) {
+    return {{"box", box_json({box->centre - box->half_extents, box->centre + box->half_extents})}};
+  }
+  const auto& plate = std::get<PlateCut>(cut);
+  return {{"plate",
+           {{"centre", vector_json(plate.centre)},
+            {"normal", vector_json(plate.normal)},
+            {"width_direction", vector_json(plate.in_plane)},
+            {"seed", vector_json(plate.seed)},
+            {"half_width_mm", plate.half_width},
+            {"half_height_mm", plate.half_height},
+            {"kerf_mm", plate.kerf}}}};
+}
+
+json transform_json(const Similarity& transform) {
+  json rows = json::array();
+  for (int row = 0; row < 3; ++row) {
+    rows.push_back(vector_json(transform.rotation.row(row).transpose()));
+  }
+  return {{"scale", transform.scale},
+          {"rotation", rows},
+          {"translation_mm", vector_json(transform.translation)}};
+}
+
+json motion_json(const SurgicalCase& plan) {
+  json motion{{"forward_mm", plan.motion.forward_mm}, {"up_mm", plan.motion.up_mm},
+              {"left_mm", plan.motion.left_mm},       {"pitch_deg", plan.motion.pitch_deg},
+              {"roll_deg", plan.motion.roll_deg},     {"yaw_deg", plan.motion.yaw_deg}};
+  if (plan.pivot) motion["pivot"] = vector_json(*plan.pivot);
+  return motion;
+}
+
+}  // namespace
+
+void write_case_file(const SurgicalCase& plan, const fs::path& path) {
+  json root{{"gnathion_case", kVersion}, {"name", plan.name}};
+  root["ct"] = {{"path", path_json(plan.ct.path, path)},
+                {"remove_support", plan.skin.remove_support}};
+  if (plan.ct.series_uid) root["ct"]["series_uid"] = *plan.ct.series_uid;
+  if (plan.skin.crop) root["ct"]["crop"] = box_json(*plan.skin.crop);
+  root["bone"] = {{"hu", plan.bone.hu}, {"smallest_piece_mm3", plan.bone.minimum_component_volume}};
+  root["skin"] = {{"hu", plan.skin.hu}, {"edge_mm", plan.skin.edge_mm}};
+  root["segment"] = segment_json(plan.cut);
+  if (plan.photograph) {
+    root["photograph"] = {{"obj", path_json(plan.photograph->obj, path)},
+                          {"transform", transform_json(plan.photograph->lps_from_photograph)}};
+  }
+  root["region"] = {{"reach_mm", plan.region.reach_mm}};
+  if (!plan.region.vertices.empty()) {
+    const fs::path vertices_file = fs::path(path).replace_extension(".region.txt");
+    std::ofstream stream(vertices_file);
+    for (const int v : plan.region.vertices) stream << v << '\n';
+    if (!stream.flush()) {
+      throw Error(ErrorKind::output, vertices_file.string(), "it cannot be written",
+                  "choose another place");
+    }
+    root["region"]["vertices_file"] = vertices_file.filename().string();
+  }
+  root["tissue"] = {{"generator", plan.tissue.generator == Generator::paper ? "paper" : "robust"},
+                    {"depth_mm", plan.tissue.depth_mm},
+                    {"bone_reach_mm", plan.tissue.bone_reach_mm},
+                    {"young_MPa", plan.tissue.material.young_MPa},
+                    {"poisson", plan.tissue.material.poisson},
+                    {"load", plan.tissue.load == LoadModel::force ? "force" : "displacement"}};
+  root["motion"] = motion_json(plan);
+  root["landmarks"] = json::object();
+  for (const auto& [name, place] : plan.landmarks) root["landmarks"][name] = vector_json(place);
+  std::ofstream stream(path);
+  stream << root.dump(2) << '\n';
+  if (!stream.flush()) {
+    throw Error(ErrorKind::output, path.string(), "it cannot be written", "choose another place");
+  }
+}
+
+}  // namespace gnathion

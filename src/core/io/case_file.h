@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+
+#include "plan/surgical_case.h"
+
+namespace gnathion {
+
+/// Reads a case file (docs/case-file.md). Paths in it are relative to its folder.
+/// Throws Error(input) when a file cannot be read, Error(case_file) with the key's path for an
+/// unknown key, a wrong type or a value out of range.
+SurgicalCase read_case_file(const std::filesystem::path& path);
+
+/// Writes a case file that read_case_file() reads back as the same case. Paths are written relative
+/// to the file's folder where they lie within it. Throws Error(output).
+void write_case_file(const SurgicalCase& plan, const std::filesystem::path& path);
+
+}  // namespace gnathion

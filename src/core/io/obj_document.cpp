@@ -1,0 +1,308 @@
+#include "io/obj_document.h"
+
+#define TINYOBJLOADER_USE_DOUBLE
+#define TINYOBJLOADER_IMPLEMENTATION
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wall"
+#pragma GCC diagnostic ignored "-Wextra"
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wold-style-cast"
+#include <tiny_obj_loader.h>
+#pragma GCC diagnostic pop
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <sstream>
+
+#include "base/error.h"
+#include "io/files.h"
+
+namespace gnathion {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& problem,
+                         const std::string& remedy) {
+  throw Error(ErrorKind::input, file.string(), problem, remedy);
+}
+
+bool is_blank(char c) {
+  return c == ' ' || c == '\t';
+}
+
+/// What follows a keyword on its line, without blanks around it.
+std::string rest_of_line(const std::string& text, std::size_t begin, std::size_t end) {
+  while (begin < end && is_blank(text[begin])) ++begin;
+  while (end > begin && (is_blank(text[end - 1]) || text[end - 1] == '\r')) --end;
+  return text.substr(begin, end - begin);
+}
+
+/// Calls `use(begin, end, number)` for every line of the text that starts with the keyword, begin
+/// behind it.
+template <typename Use>
+void for_lines(const std::string& text, const std::string& keyword, Use use) {
+  int number = 0;
+  for (std::size_t begin = 0; begin < text.size(); ++number) {
+    std::size_t end = text.find('\n', begin);
+    if (end == std::string::npos) end = text.size();
+    std::size_t at = begin;
+    while (at < end && is_blank(text[at])) ++at;
+    const std::size_t after = at + keyword.size();
+    if (text.compare(at, keyword.size(), keyword) == 0 && after < end && is_blank(text[after])) {
+      use(after, end, number + 1);
+    }
+    begin = end + 1;
+  }
+}
+
+/// A file that an OBJ or MTL names, which may have Windows' slashes.
+std::string existing_name(const fs::path& folder, std::string name) {
+  if (fs::exists(folder / name)) return name;
+  std::replace(name.begin(), name.end(), '\\', '/');
+  return fs::exists(folder / name) ? name : "";
+}
+
+}  // namespace
+
+ObjDocument ObjDocument::read(const fs::path& path) {
+  return parse(path, read_text_file(path));
+}
+
+ObjDocument ObjDocument::of_surface(const TriangleMesh& surface, const std::string& name) {
+  std::string text = "# " + name + ", millimetres, LPS (x left, y posterior, z superior)\n";
+  const auto add = [&text](auto number) {
+    std::array<char, 32> digits;
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+    (text += ' ').append(digits.data(), end);
+  };
+  for (Eigen::Index v = 0; v < surface.vertices.rows(); ++v) {
+    text += 'v';
+    for (const double x : surface.vertices.row(v)) add(x);
+    text += '\n';
+  }
+  for (Eigen::Index f = 0; f < surface.triangles.rows(); ++f) {
+    text += 'f';
+    for (const int v : surface.triangles.row(f)) add(v + 1);
+    text += '\n';
+  }
+  return parse(name, std::move(text));
+}
+
+ObjDocument ObjDocument::parse(const fs::path& path, std::string text) {
+  ObjDocument document;
+  document.path_ = path;
+  document.text_ = std::move(text);
+  document.find_vertex_lines();
+  document.find_materials();
+  document.read_faces();
+  document.weld_split_vertices();
+  return document;
+}
+
+void ObjDocument::find_vertex_lines() {
+  std::vector<double> values;
+  for_lines(text_, "v", [&](std::size_t begin, std::size_t end, int number) {
+    while (begin < end && is_blank(text_[begin])) ++begin;
+    VertexLine line{begin, begin};
+    for (int axis = 0; axis < 3; ++axis) {
+      while (line.end < end && is_blank(text_[line.end])) ++line.end;
+      std::size_t stop = line.end;
+      while (stop < end && !is_blank(text_[stop]) && text_[stop] != '\r') ++stop;
+      const char* first = text_.data() + line.end + (text_[line.end] == '+' ? 1 : 0);
+      const char* last = text_.data() + stop;
+      double value = 0;
+      const auto [rest, status] = std::from_chars(first, last, value);
+      if (status != std::errc() || rest != last || !std::isfinite(value)) {
+        refuse(path_,
+               "line " + std::to_string(number) + ": coordinate " + std::to_string(axis + 1) +
+                   " of the vertex is not a finite number",
+               "mend the file (numbers with a decimal point) or export it again");
+      }
+      values.push_back(value);
+      line.end = stop;
+    }
+    vertex_lines_.push_back(line);
+  });
+  if (values.empty()) refuse(path_, "it has no vertices", "choose a Wavefront OBJ file");
+  mesh_.surface.vertices =
+      Eigen::Map<const Points>(values.data(), static_cast<Eigen::Index>(values.size() / 3), 3);
+}
+
+void ObjDocument::find_materials() {
+  const fs::path folder = path_.parent_path();
+  for_lines(text_, "mtllib", [&](std::size_t begin, std::size_t end, int) {
+    // The whole rest is one name, blanks included, unless only its parts exist.
+    const std::string rest = rest_of_line(text_, begin, end);
+    std::vector<std::string> names{rest};
+    if (existing_name(folder, rest).empty()) {
+      std::istringstream parts(rest);
+      names.assign(std::istream_iterator<std::string>(parts), {});
+    }
+    for (const std::string& name : names) {
+      const std::string found = existing_name(folder, name);
+      if (found.empty()) {
+        refuse(folder / name,
+               "the material file that " + path_.filename().string() + " names does not exist",
+               "put it beside the OBJ, or remove the mtllib line");
+      }
+      material_files_.push_back(found);
+      material_text_ += read_text_file(folder / found) + "\n";
+    }
+  });
+  for (const char* keyword :
+       {"map_Kd", "map_Ka", "map_Ks", "map_Bump", "map_bump", "map_d", "bump", "norm", "map_Ns"}) {
+    for_lines(material_text_, keyword, [&](std::size_t begin, std::size_t end, int) {
+      const std::string rest = rest_of_line(material_text_, begin, end);
+      std::string name = existing_name(folder, rest);
+      // With options such as "-bm 0.2" before it, the name is the last word.
+      if (name.empty()) name = existing_name(folder, rest.substr(rest.find_last_of(" \t") + 1));
+      if (name.empty()) {
+        refuse(folder / rest, "the texture that the photograph's material names does not exist",
+               "put the picture beside the OBJ under this name");
+      }
+      if (std::find(texture_files_.begin(), texture_files_.end(), name) == texture_files_.end()) {
+        texture_files_.push_back(name);
+      }
+    });
+  }
+}
+
+void ObjDocument::read_faces() {
+  tinyobj::ObjReaderConfig config;
+  config.vertex_color = false;
+  tinyobj::ObjReader reader;
+  if (!reader.ParseFromString(text_, material_text_, config)) {
+    refuse(path_, "it cannot be read: " + reader.Error(), "export the photograph again as OBJ");
+  }
+  const tinyobj::attrib_t& attributes = reader.GetAttrib();
+  const auto vertex_count = static_cast<int>(mesh_.surface.vertices.rows());
+  const auto texture_count = static_cast<int>(attributes.texcoords.size() / 2);
+  for (const double t : attributes.texcoords) {
+    if (!std::isfinite(t)) {
+      refuse(path_, "a texture coordinate is not finite", "export the photograph again");
+    }
+  }
+  mesh_.texture_coordinates = Eigen::Map<const decltype(mesh_.texture_coordinates)>(
+      attributes.texcoords.data(), texture_count, 2);
+  std::vector<std::array<int, 3>> corners, textures;
+  for (const tinyobj::shape_t& shape : reader.GetShapes()) {
+    for (std::size_t f = 0; 3 * f + 2 < shape.mesh.indices.size(); ++f) {
+      std::array<int, 3> v{}, t{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const tinyobj::index_t& index = shape.mesh.indices[3 * f + k];
+        v[k] = index.vertex_index;
+        t[k] = index.texcoord_index;
+        if (v[k] < 0 || v[k] >= vertex_count) {
+          refuse(path_,
+                 "a face names vertex " + std::to_string(v[k] + 1) + ", but there are only " +
+                     std::to_string(vertex_count),
+                 "the file is damaged: export the photograph again");
+        }
+        if (t[k] < -1 || t[k] >= texture_count) {
+          refuse(path_,
+                 "a face names texture coordinate " + std::to_string(t[k] + 1) +
+                     ", but there are only " + std::to_string(texture_count),
+                 "the file is damaged: export the photograph again");
+        }
+      }
+      corners.push_back(v);
+      textures.push_back(t);
+      mesh_.triangle_material.push_back(shape.mesh.material_ids[f]);
+    }
+  }
+  if (corners.empty()) {
+    refuse(path_, "it has no faces", "export the photograph as a surface, not as a point cloud");
+  }
+  const auto count = static_cast<Eigen::Index>(corners.size());
+  mesh_.surface.triangles = Eigen::Map<const Triangles>(corners.front().data(), count, 3);
+  mesh_.corner_texture = Eigen::Map<const Triangles>(textures.front().data(), count, 3);
+  const fs::path folder = path_.parent_path();
+  for (const tinyobj::material_t& material : reader.GetMaterials()) {
+    const std::string texture = existing_name(folder, material.diffuse_texname);
+    mesh_.materials.push_back({material.name,
+                               {material.diffuse[0], material.diffuse[1], material.diffuse[2]},
+                               material.diffuse_texname.empty() ? fs::path() : folder / texture});
+  }
+}
+
+void ObjDocument::weld_split_vertices() {
+  const Points& x = mesh_.surface.vertices;
+  std::map<std::array<double, 3>, int> first_at;
+  welded_to_.resize(static_cast<std::size_t>(x.rows()));
+  for (int v = 0; v < x.rows(); ++v) {
+    welded_to_[v] = first_at.try_emplace({x(v, 0), x(v, 1), x(v, 2)}, v).first->second;
+  }
+  // Triangles that welding leaves without area (two corners the same) carry nothing.
+  Eigen::Index kept = 0;
+  TriangleMesh& surface = mesh_.surface;
+  for (Eigen::Index f = 0; f < surface.triangles.rows(); ++f) {
+    Eigen::RowVector3i t;
+    for (int k = 0; k < 3; ++k) t[k] = welded_to_[surface.triangles(f, k)];
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
+    surface.triangles.row(kept) = t;
+    mesh_.corner_texture.row(kept) = mesh_.corner_texture.row(f).eval();
+    mesh_.triangle_material[kept] = mesh_.triangle_material[f];
+    ++kept;
+  }
+  surface.triangles.conservativeResize(kept, 3);
+  mesh_.corner_texture.conservativeResize(kept, 3);
+  mesh_.triangle_material.resize(static_cast<std::size_t>(kept));
+}
+
+std::vector<fs::path> ObjDocument::files() const {
+  std::vector<fs::path> files{path_};
+  for (const std::string& name : material_files_) files.push_back(path_.parent_path() / name);
+  for (const std::string& name : texture_files_) files.push_back(path_.parent_path() / name);
+  return files;
+}
+
+std::string ObjDocument::text_with(const Points& vertices) const {
+  std::string text;
+  text.reserve(text_.size() + vertex_lines_.size() * 16);
+  std::size_t done = 0;
+  for (std::size_t v = 0; v < vertex_lines_.size(); ++v) {
+    const Eigen::RowVector3d x = vertices.row(welded_to_[v]);
+    if (x == mesh_.surface.vertices.row(welded_to_[v])) continue;
+    text.append(text_, done, vertex_lines_[v].begin - done);
+    for (int axis = 0; axis < 3; ++axis) {
+      std::array<char, 32> digits;
+      const auto [end, status] =
+          std::to_chars(digits.data(), digits.data() + digits.size(), x[axis]);
+      if (axis > 0) text += ' ';
+      text.append(digits.data(), end);
+    }
+    done = vertex_lines_[v].end;
+  }
+  return text.append(text_, done, std::string::npos);
+}
+
+void ObjDocument::write(const fs::path& folder, const std::string& name,
+                        const Points& vertices) const {
+  write_text_file(folder / name, text_with(vertices));
+  std::vector<std::string> copies = material_files_;
+  copies.insert(copies.end(), texture_files_.begin(), texture_files_.end());
+  for (const std::string& copy : copies) {
+    const fs::path relative = fs::path(copy).lexically_normal();
+    if (relative.is_absolute() || *relative.begin() == "..") {
+      throw Error(ErrorKind::output, copy,
+                  "the photograph names this file outside its own folder, so it cannot be copied",
+                  "put MTL and textures into the OBJ's folder and correct their names");
+    }
+    std::error_code failure;
+    fs::create_directories((folder / relative).parent_path(), failure);
+    fs::copy_file(path_.parent_path() / copy, folder / relative,
+                  fs::copy_options::overwrite_existing, failure);
+    if (failure) {
+      throw Error(ErrorKind::output, (folder / relative).string(), failure.message(),
+                  "check free space and rights");
+    }
+  }
+}
+
+}  // namespace gnathion

@@ -1,0 +1,69 @@
+#include "prediction/anatomy.h"
+
+#include <future>
+#include <utility>
+
+#include "geometry/triangle_mesh.h"
+#include "imaging/ct_import.h"
+
+namespace gnathion {
+namespace {
+
+Face skin_face(TriangleMesh skin) {
+  Face face{{}, ObjDocument::of_surface(skin, "skin of the CT"), {}, false};
+  face.mesh = face.document.mesh();
+  return face;
+}
+
+}  // namespace
+
+Points Face::file_vertices(const Points& points) const {
+  Points vertices = document.mesh().surface.vertices;
+  for (Eigen::Index v = 0; v < vertices.rows(); ++v) {
+    const Eigen::RowVector3d u = points.row(v) - mesh.surface.vertices.row(v);
+    if (u.isZero(0)) continue;
+    vertices.row(v) += lps_from_file.displacement_to_source(u.transpose()).transpose();
+  }
+  return vertices;
+}
+
+Face photograph_face(const PhotographSource& source) {
+  Face face{{}, ObjDocument::read(source.obj), source.lps_from_photograph, true};
+  face.mesh = face.document.mesh();
+  face.mesh.surface.vertices = moved(face.mesh.surface.vertices, face.lps_from_file);
+  return face;
+}
+
+Anatomy build_anatomy(const SurgicalCase& plan, Progress& progress) {
+  // The photograph first: it is read in a moment, and a mistake in it should not cost a CT.
+  std::optional<Face> face;
+  if (plan.photograph) {
+    const auto stage = progress.stage("read photograph");
+    face = photograph_face(*plan.photograph);
+  }
+  const CtVolume ct = [&] {
+    const auto stage = progress.stage("read CT");
+    return read_ct(plan.ct.path, plan.ct.series_uid, progress);
+  }();
+  // Skin and bone do not depend on each other. The future's destructor waits for its thread.
+  std::future<TriangleMesh> skin;
+  if (!face) {
+    skin = std::async(std::launch::async, [&] {
+      const auto stage = progress.stage("skin surface (beside bone)");
+      return skin_surface(ct, plan.skin, progress);
+    });
+  }
+  TriangleMesh bone = [&] {
+    const auto stage = progress.stage("bone surface");
+    return bone_surface(ct, plan.bone, progress);
+  }();
+  SegmentResult cut = [&] {
+    const auto stage = progress.stage("cut segment");
+    return cut_segment(bone, plan.cut, {}, progress);
+  }();
+  if (!face) face = skin_face(skin.get());
+  const Eigen::Vector3d pivot = plan.pivot.value_or(centre_of_volume(cut.segment));
+  return {std::move(bone), std::move(cut), std::move(*face), pivot};
+}
+
+}  // namespace gnathion

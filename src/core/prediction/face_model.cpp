@@ -1,0 +1,181 @@
+#include "prediction/face_model.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "base/error.h"
+#include "geometry/tet_quality.h"
+
+namespace gnathion {
+namespace {
+
+IntermediateMesh choose_region(const TriangleMesh& face, const RegionChoice& choice,
+                               const BspTree& segment) {
+  return choice.vertices.empty() ? suggest_region(face, segment, choice.reach_mm)
+                                 : region_of_vertices(face, choice.vertices);
+}
+
+/// Rim fixed, inner vertices held or moved by the bone they rest on (displacement transfer); with
+/// force transfer only the rim is held, as in the paper.
+void set_supports(LoadModel load, TissueProblem& problem) {
+  const SoftTissueMesh& tissue = problem.tissue;
+  problem.supports.assign(static_cast<std::size_t>(tissue.mesh.vertices.rows()), Support::free);
+  for (int v = 0; v < tissue.surface_count; ++v) {
+    Support& inner = problem.supports[tissue.inner(v)];
+    if (problem.region.rim[v]) {
+      problem.supports[v] = inner = Support::fixed;
+    } else if (load == LoadModel::displacement && problem.bone_below[v] == Underlying::segment) {
+      inner = Support::attached;
+      ++problem.attached_count;
+    } else if (load == LoadModel::displacement && problem.bone_below[v] == Underlying::skull) {
+      inner = Support::fixed;
+      ++problem.on_skull_count;
+    }
+  }
+}
+
+void require_driven(LoadModel load, const TissueProblem& problem) {
+  const bool driven =
+      load == LoadModel::displacement ? problem.attached_count > 0 : !problem.forced.empty();
+  if (driven) return;
+  throw Error(ErrorKind::anatomy, "region",
+              "no bone of the segment lies under it, so nothing would move the face",
+              "choose a region over the segment, or raise tissue.bone_reach_mm");
+}
+
+void require_clean(const SoftTissueMesh& tissue) {
+  const TetQuality quality = tet_quality(tissue.mesh);
+  if (quality.inverted == 0) return;
+  throw Error(ErrorKind::anatomy, "tissue.generator",
+              "the paper's generator inverts " + std::to_string(quality.inverted) + " of " +
+                  std::to_string(quality.count) + " tetrahedra on this region",
+              "use the generator \"robust\", or a smaller tissue.depth_mm");
+}
+
+/// Surface vertices that a link meets, without those on the rim, ascending.
+std::vector<int> forced_points(const TissueProblem& problem) {
+  std::vector<int> forced;
+  for (const BoneLink& link : problem.links) {
+    for (const int v : problem.region.mesh.triangles.row(link.triangle)) {
+      if (!problem.region.rim[v]) forced.push_back(v);
+    }
+  }
+  std::sort(forced.begin(), forced.end());
+  forced.erase(std::unique(forced.begin(), forced.end()), forced.end());
+  return forced;
+}
+
+double rim_distance(const IntermediateMesh& region, const BspTree& segment) {
+  double least = 1e3;
+  for (std::size_t v = 0; v < region.rim.size(); ++v) {
+    if (!region.rim[v]) continue;
+    const auto nearest =
+        segment.nearest(region.mesh.vertices.row(static_cast<Eigen::Index>(v)), least);
+    if (nearest) least = nearest->distance;
+  }
+  return least;
+}
+
+}  // namespace
+
+TissueProblem build_tissue(const Anatomy& anatomy, const RegionChoice& choice,
+                           const TissueModel& model, Progress& progress) {
+  TissueProblem problem;
+  const BspTree segment(anatomy.cut.segment);
+  {
+    const auto stage = progress.stage("region");
+    problem.region = choose_region(anatomy.face.mesh.surface, choice, segment);
+    problem.rim_to_segment = rim_distance(problem.region, segment);
+  }
+  Points directions;
+  BoneBelow below;
+  {
+    const auto stage = progress.stage("bone map");
+    const BspTree skin(problem.region.mesh);
+    problem.links =
+        bone_map(anatomy.cut.segment, segment, problem.region, skin, model.bone_reach_mm);
+    problem.forced = forced_points(problem);
+    directions = offset_directions(problem.region);
+    BoneBelowOptions options;
+    options.threshold = model.bone_reach_mm;
+    options.default_depth = model.depth_mm;
+    below = bone_below(problem.region, directions, segment, BspTree(anatomy.cut.remainder),
+                       problem.links, options);
+  }
+  {
+    const auto stage = progress.stage("ST Generator");
+    problem.tissue = model.generator == Generator::paper
+                         ? st_generator_paper(problem.region, model.depth_mm)
+                         : st_generator(problem.region, directions, below.depth);
+    require_clean(problem.tissue);
+  }
+  problem.bone_below = std::move(below.bone);
+  set_supports(model.load, problem);
+  require_driven(model.load, problem);
+  return problem;
+}
+
+FaceModel::FaceModel(const Anatomy& anatomy, const RegionChoice& region, const TissueModel& model,
+                     Progress& progress)
+    : load_(model.load),
+      problem_(build_tissue(anatomy, region, model, progress)),
+      rest_face_(anatomy.face.mesh.surface.vertices) {
+  const SoftTissueMesh& tissue = problem_.tissue;
+  solver_ =
+      std::make_unique<StaticSolver>(tissue.mesh, model.material, problem_.supports, progress);
+  const auto stage = progress.stage("response basis");
+  surface_map_ = index_map(problem_.region, rest_face_.rows());
+  if (load_ == LoadModel::displacement) {
+    basis_ = response_basis(*solver_, tissue.mesh.vertices, anatomy.pivot);
+    face_basis_ = {compose(surface_map_, basis_.columns(), moving_vertices_), anatomy.pivot};
+  } else {
+    const Points normals = vertex_normals(problem_.region.mesh)(problem_.forced, Eigen::all);
+    force_basis_ = force_basis(*solver_, problem_.forced, normals);
+    compose(surface_map_, force_basis_.columns(), moving_vertices_);
+  }
+}
+
+void FaceModel::predict(const RigidMotion& motion, Points& face_points) const {
+  face_points = rest_face_;
+  if (load_ == LoadModel::force) {
+    const Points u = tissue_displacements(motion).topRows(problem_.tissue.surface_count);
+    face_points += surface_map_ * u;
+    return;
+  }
+  Points u;
+  face_basis_.displacements(motion, u);
+  for (std::size_t i = 0; i < moving_vertices_.size(); ++i) {
+    face_points.row(moving_vertices_[i]) += u.row(static_cast<Eigen::Index>(i));
+  }
+}
+
+Points FaceModel::tissue_displacements(const RigidMotion& motion) const {
+  Points u;
+  if (load_ == LoadModel::displacement) {
+    basis_.displacements(motion, u);
+    return u;
+  }
+  if (!motion.rotation.isIdentity(1e-12)) {
+    throw Error(ErrorKind::case_file, "tissue.load",
+                "force transfer has one force for all points of the bone and cannot turn it",
+                "set the rotations to 0, or use \"displacement\"");
+  }
+  return force_basis_.displacements(motion.translation).displacements;
+}
+
+StaticSolution FaceModel::solve(const RigidMotion& motion) const {
+  const Points& x = problem_.tissue.mesh.vertices;
+  Points forces = Points::Zero(x.rows(), 3);
+  if (load_ == LoadModel::force && !motion.translation.isZero(0)) {
+    const Eigen::Vector3d direction = motion.translation.normalized();
+    const double force = force_basis_.displacements(motion.translation).force_N;
+    const Points normals = vertex_normals(problem_.region.mesh);
+    for (const int v : problem_.forced) {
+      forces.row(v) = force * normals.row(v).dot(direction) * direction.transpose();
+    }
+  }
+  return solver_->solve(moved(x, motion) - x, forces);
+}
+
+}  // namespace gnathion

@@ -1,0 +1,189 @@
+#include "prediction/report.h"
+
+#include <sys/resource.h>
+
+#include <nlohmann/json.hpp>
+
+#include "geometry/tet_quality.h"
+#include "io/files.h"
+
+namespace gnathion {
+namespace {
+
+using nlohmann::json;
+
+LandmarkResponse respond(const Eigen::Vector3d& landmark, const TriangleMesh& face,
+                         const BspTree& face_tree, const Points& displacements,
+                         const RigidMotion& motion) {
+  LandmarkResponse response;
+  const auto nearest = face_tree.nearest(landmark, 1e6);
+  if (!nearest) return response;
+  response.skin_gap = nearest->distance;
+  // Barycentric weights of the nearest point from its areas.
+  const auto t = face.triangles.row(nearest->triangle);
+  Eigen::Matrix3d corners;
+  for (int k = 0; k < 3; ++k) corners.col(k) = face.vertices.row(t[k]);
+  const Eigen::Vector3d n =
+      (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0));
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d a = corners.col((k + 1) % 3), b = corners.col((k + 2) % 3);
+    const double weight = (a - nearest->point).cross(b - nearest->point).dot(n) / n.squaredNorm();
+    response.displacement += weight * displacements.row(t[k]).transpose();
+  }
+  const Eigen::Vector3d bone = motion(nearest->point) - nearest->point;
+  response.bone_mm = bone.norm();
+  if (response.bone_mm > 0) {
+    response.ratio = response.displacement.dot(bone) / bone.squaredNorm();
+  }
+  return response;
+}
+
+json statistics_json(const DistanceStatistics& s) {
+  return {{"count", s.count}, {"mean", s.mean}, {"p90", s.p90}, {"p95", s.p95}, {"max", s.max}};
+}
+
+json sizes_json(const Anatomy& anatomy, const FaceModel& model) {
+  const TissueProblem& problem = model.problem();
+  return {{"bone_triangles", anatomy.bone.triangles.rows()},
+          {"segment_triangles", anatomy.cut.segment.triangles.rows()},
+          {"segment_volume_mm3", anatomy.cut.volume_mm3},
+          {"face_vertices", anatomy.face.mesh.surface.vertices.rows()},
+          {"face_triangles", anatomy.face.mesh.surface.triangles.rows()},
+          {"region_vertices", problem.region.mesh.vertices.rows()},
+          {"region_triangles", problem.region.mesh.triangles.rows()},
+          {"region_mean_edge_mm", mean_edge_length(problem.region.mesh)},
+          {"rim_to_segment_mm", problem.rim_to_segment},
+          {"bone_links", problem.links.size()},
+          {"tissue_nodes", problem.tissue.mesh.vertices.rows()},
+          {"tets", problem.tissue.mesh.tets.rows()},
+          {"free_nodes", model.solver().free_count()},
+          {"nodes_on_segment", problem.attached_count},
+          {"nodes_on_other_bone", problem.on_skull_count},
+          {"forced_points", problem.forced.size()}};
+}
+
+json quality_json(const SoftTissueMesh& tissue) {
+  const TetQuality q = tet_quality(tissue.mesh);
+  return {{"inverted", q.inverted},
+          {"volume_mm3", q.total_volume},
+          {"smallest_tet_mm3", q.smallest_volume},
+          {"smallest_dihedral_deg", q.smallest_dihedral},
+          {"largest_dihedral_deg", q.largest_dihedral},
+          {"median_aspect", q.median_aspect},
+          {"largest_aspect", q.largest_aspect},
+          {"thickness_mm",
+           {{"min", tissue.depth.minCoeff()},
+            {"mean", tissue.depth.mean()},
+            {"max", tissue.depth.maxCoeff()}}}};
+}
+
+json model_json(const TissueModel& tissue) {
+  return {{"elements", "linear tetrahedra, Cauchy strain, static"},
+          {"generator", tissue.generator == Generator::paper ? "paper" : "robust"},
+          {"load", tissue.load == LoadModel::force ? "force transfer" : "displacement transfer"},
+          {"young_MPa", tissue.material.young_MPa},
+          {"poisson", tissue.material.poisson},
+          {"depth_mm", tissue.depth_mm},
+          {"bone_reach_mm", tissue.bone_reach_mm}};
+}
+
+json motion_json(const SurgicalCase& plan, const Anatomy& anatomy) {
+  const JawMotion& m = plan.motion;
+  return {{"forward_mm", m.forward_mm},
+          {"up_mm", m.up_mm},
+          {"left_mm", m.left_mm},
+          {"pitch_deg", m.pitch_deg},
+          {"roll_deg", m.roll_deg},
+          {"yaw_deg", m.yaw_deg},
+          {"pivot_lps_mm", {anatomy.pivot[0], anatomy.pivot[1], anatomy.pivot[2]}}};
+}
+
+json landmarks_json(const Prediction& prediction) {
+  json landmarks = json::object();
+  for (const auto& [name, r] : prediction.landmarks) {
+    landmarks[name] = {
+        {"moved_left_mm", r.displacement[0]}, {"moved_forward_mm", -r.displacement[1]},
+        {"moved_up_mm", r.displacement[2]},   {"bone_mm", r.bone_mm},
+        {"ratio_to_bone", r.ratio},           {"landmark_to_skin_mm", r.skin_gap}};
+  }
+  return landmarks;
+}
+
+json inputs_json(const SurgicalCase& plan, const Anatomy& anatomy) {
+  json inputs{{"ct_sha256", sha256_of(plan.ct.path)}};
+  if (!anatomy.face.is_photograph) return inputs;
+  inputs["photograph_sha256"] = json::array();
+  for (const auto& file : anatomy.face.document.files()) {
+    inputs["photograph_sha256"].push_back(sha256_of(file));
+  }
+  return inputs;
+}
+
+}  // namespace
+
+Prediction make_prediction(const SurgicalCase& plan, const Anatomy& anatomy, const FaceModel& model,
+                           Progress& progress) {
+  const auto stage = progress.stage("predict and check");
+  const TriangleMesh& face = anatomy.face.mesh.surface;
+  Prediction prediction;
+  prediction.motion = rigid_motion(plan.motion, anatomy.pivot);
+  model.predict(prediction.motion, prediction.face_points);
+  const Points u = prediction.face_points - face.vertices;
+
+  const StaticSolution direct = model.solve(prediction.motion);
+  prediction.relative_residual = direct.relative_residual;
+  const Points from_basis = model.tissue_displacements(prediction.motion);
+  const double size = direct.displacements.norm();
+  if (size > 0) prediction.basis_error = (from_basis - direct.displacements).norm() / size;
+  TetMesh deformed = model.problem().tissue.mesh;
+  deformed.vertices += from_basis;
+  prediction.inverted_after = (tet_volumes(deformed).array() <= 0).count();
+
+  const std::vector<int>& moving = model.moving_vertices();
+  prediction.displacement = distance_statistics(u(moving, Eigen::all).rowwise().norm());
+  prediction.signed_distance = Eigen::VectorXd::Zero(face.vertices.rows());
+  prediction.signed_distance(moving) =
+      signed_distances(prediction.face_points(moving, Eigen::all), face);
+  if (!plan.landmarks.empty()) {
+    const BspTree face_tree(face);
+    for (const auto& [name, place] : plan.landmarks) {
+      prediction.landmarks[name] = respond(place, face, face_tree, u, prediction.motion);
+    }
+  }
+  return prediction;
+}
+
+std::string report_json(const SurgicalCase& plan, const Anatomy& anatomy, const FaceModel& model,
+                        const Prediction& prediction, const Progress& progress) {
+  json times = json::array();
+  for (const StageTime& time : progress.stage_times()) {
+    times.push_back({{"stage", time.name}, {"seconds", time.seconds}});
+  }
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const json report{
+      {"gnathion_report", 1},
+      {"program",
+       {{"name", "gnathion"}, {"version", GNATHION_VERSION}, {"vtk", GNATHION_VTK_VERSION}}},
+      {"frame", "LPS, mm; the predicted OBJ is in the photograph's own frame and unit"},
+      {"use", "research only; not a medical device"},
+      {"inputs", inputs_json(plan, anatomy)},
+      {"face", anatomy.face.is_photograph ? "photograph" : "skin of the CT"},
+      {"motion", motion_json(plan, anatomy)},
+      {"model", model_json(plan.tissue)},
+      {"sizes", sizes_json(anatomy, model)},
+      {"element_quality", quality_json(model.problem().tissue)},
+      {"displacement_mm", statistics_json(prediction.displacement)},
+      {"signed_distance_mm",
+       {{"min", prediction.signed_distance.minCoeff()},
+        {"max", prediction.signed_distance.maxCoeff()}}},
+      {"landmarks", landmarks_json(prediction)},
+      {"relative_residual", prediction.relative_residual},
+      {"basis_against_direct_solve", prediction.basis_error},
+      {"tets_inverted_by_the_motion", prediction.inverted_after},
+      {"seconds", times},
+      {"peak_memory_MiB", usage.ru_maxrss / 1024}};
+  return report.dump(2) + "\n";
+}
+
+}  // namespace gnathion

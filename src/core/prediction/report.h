@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+
+#include "base/progress.h"
+#include "geometry/surface_distance.h"
+#include "prediction/face_model.h"
+
+namespace gnathion {
+
+/// How a point of the face follows the bone.
+struct LandmarkResponse {
+  Eigen::Vector3d displacement = Eigen::Vector3d::Zero();  ///< mm, LPS, of the nearest skin point
+  double skin_gap = 0;  ///< mm from the landmark as given to that point
+  double bone_mm = 0;   ///< how far bone fixed to the segment would move there
+  double ratio = 0;     ///< displacement along the bone's, over bone_mm; 0 without motion
+};
+
+/// A prediction and what can be said of it.
+struct Prediction {
+  RigidMotion motion;
+  Points face_points;               ///< n×3, mm, LPS
+  Eigen::VectorXd signed_distance;  ///< n, mm, predicted face to the face before; + is bulge
+  DistanceStatistics displacement;  ///< of the vertices of the region
+  double relative_residual = 0;     ///< of the direct solve
+  double basis_error = 0;   ///< ‖u_basis − u_direct‖ / ‖u_direct‖, 0 without motion
+  long inverted_after = 0;  ///< tets turned inside out by the motion
+  std::map<std::string, LandmarkResponse> landmarks;
+};
+
+/// Predicts the face for a case's motion, checks it by a direct solve and measures it.
+/// Throws as FaceModel.
+Prediction make_prediction(const SurgicalCase& plan, const Anatomy& anatomy, const FaceModel& model,
+                           Progress& progress);
+
+/// The report of a prediction (docs/report.md says what is in it) as JSON text: numbers, hashes and
+/// versions, no path and no patient identity.
+std::string report_json(const SurgicalCase& plan, const Anatomy& anatomy, const FaceModel& model,
+                        const Prediction& prediction, const Progress& progress);
+
+}  // namespace gnathion

@@ -8,7 +8,6 @@
 #include <vtkActor.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
-#include <vtkCellArray.h>
 #include <vtkCoordinate.h>
 #include <vtkFloatArray.h>
 #include <vtkLight.h>
@@ -27,7 +26,6 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkTexture.h>
-#include <vtkTypeInt64Array.h>
 #include <Eigen/Geometry>
 
 #include "base/error.h"
@@ -35,6 +33,7 @@
 #include "render/colour_map.h"
 #include "render/split_surface.h"
 #include "render/texture_image.h"
+#include "render/vtk_surface.h"
 
 namespace gnathion {
 namespace {
@@ -62,15 +61,6 @@ vtkSmartPointer<vtkFloatArray> float_array(const char* name, int components, siz
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
   return array;
-}
-
-vtkSmartPointer<vtkCellArray> cells_of(const Triangles& triangles) {
-  vtkNew<vtkTypeInt64Array> corners;
-  corners->SetNumberOfValues(triangles.size());
-  std::copy(triangles.data(), triangles.data() + triangles.size(), corners->GetPointer(0));
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(3, corners);
-  return cells;
 }
 
 /// A surface on the graphics card and the face or bone vertices that its own were copied from.
@@ -106,6 +96,25 @@ struct ShownSurface {
     data->Modified();
   }
 };
+
+/// Only the vertices that the triangles use.
+std::unique_ptr<ShownSurface> show_bone(const TriangleMesh& bone, const Points& normals,
+                                        const Triangles& triangles) {
+  std::vector<int> place(static_cast<size_t>(bone.vertices.rows()), -1);
+  std::vector<int> used;
+  Triangles renumbered(triangles.rows(), 3);
+  for (Eigen::Index i = 0; i < triangles.size(); ++i) {
+    int& known = place[static_cast<size_t>(triangles.data()[i])];
+    if (known < 0) {
+      known = static_cast<int>(used.size());
+      used.push_back(triangles.data()[i]);
+    }
+    renumbered.data()[i] = known;
+  }
+  auto shown = std::make_unique<ShownSurface>(std::move(used), renumbered);
+  shown->move_to(bone.vertices, normals);
+  return shown;
+}
 
 void shine(vtkProperty* property, double ambient, double diffuse, double specular) {
   property->SetAmbient(ambient);
@@ -203,9 +212,8 @@ void style_bar(vtkScalarBarActor* bar) {
   bar->SetOrientationToVertical();
   bar->SetUnconstrainedFontSize(true);
   bar->SetNumberOfLabels(5);
-  bar->SetPosition(0.84, 0.16);
-  bar->SetHeight(0.68);
-  bar->SetWidth(0.14);
+  bar->SetHeight(0.7);
+  bar->SetWidth(0.2);  // held to fewer pixels by size_texts()
   bar->SetBarRatio(0.3);
   bar->SetMaximumNumberOfColors(257);
   for (vtkTextProperty* text : {bar->GetTitleTextProperty(), bar->GetLabelTextProperty()}) {
@@ -238,15 +246,22 @@ struct FaceScene::Impl {
   struct Bone {
     TriangleMesh mesh;
     RigidMotion pose;
-    std::unique_ptr<ShownSurface> shown;
+    std::unique_ptr<ShownSurface> fine;
+    std::unique_ptr<ShownSurface> coarse;  // null: none was given
+    bool visible = true;
+
+    std::vector<vtkActor*> actors() const {
+      if (coarse) return {fine->actor, coarse->actor};
+      return {fine->actor};
+    }
   };
 
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkLightKit> lights;
   vtkNew<vtkScalarBarActor> bar;
   vtkSmartPointer<vtkTextActor> label = text_at(0.03, 0.97);
-  vtkSmartPointer<vtkTextActor> left_letter = text_at(0.02, 0.5);
-  vtkSmartPointer<vtkTextActor> right_letter = text_at(0.98, 0.5);
+  vtkSmartPointer<vtkTextActor> left_letter = text_at(0.025, 0.03);
+  vtkSmartPointer<vtkTextActor> right_letter = text_at(0.975, 0.03);
   vtkNew<vtkCallbackCommand> before_render;
 
   TriangleMesh face;
@@ -256,7 +271,7 @@ struct FaceScene::Impl {
   bool face_textured = true;
   bool colour_map = false;
   double face_opacity = 1;
-  bool letters = true;
+  bool coarse_bones = false;
 
   Impl() {
     renderer->SetBackground(background_low.x(), background_low.y(), background_low.z());
@@ -296,13 +311,16 @@ struct FaceScene::Impl {
   /// Text grows with the picture, within what can be read and does not shout.
   void size_texts() {
     const int height = renderer->GetSize()[1];
-    const int size = std::clamp(height / 28, 11, 24);
+    const int size = std::clamp(height / 26, 13, 24);
+    const int small = std::max(11, size * 3 / 4);
     label->GetTextProperty()->SetFontSize(size);
-    left_letter->GetTextProperty()->SetFontSize(size * 4 / 5);
-    right_letter->GetTextProperty()->SetFontSize(size * 4 / 5);
-    bar->GetTitleTextProperty()->SetFontSize(size * 3 / 4);
-    bar->GetLabelTextProperty()->SetFontSize(size * 3 / 4);
-    bar->SetMaximumWidthInPixels(std::clamp(height / 8, 60, 90));
+    left_letter->GetTextProperty()->SetFontSize(small);
+    right_letter->GetTextProperty()->SetFontSize(small);
+    bar->GetTitleTextProperty()->SetFontSize(small);
+    bar->GetLabelTextProperty()->SetFontSize(small);
+    const int bar_width = std::clamp(height / 8, 56, 90);
+    bar->SetMaximumWidthInPixels(bar_width);
+    bar->SetPosition(1 - (bar_width + 4.0) / std::max(renderer->GetSize()[0], bar_width + 4), 0.15);
   }
 
   void prepare_frame() {
@@ -345,10 +363,17 @@ struct FaceScene::Impl {
   }
 
   static void apply_look(Bone& bone, const BoneLook& look) {
-    vtkProperty* property = bone.shown->actor->GetProperty();
-    set_colour(property, look.colour);
-    shine(property, 0.10, 0.88, 0.12);
-    property->SetOpacity(look.opacity);
+    for (vtkActor* actor : bone.actors()) {
+      set_colour(actor->GetProperty(), look.colour);
+      shine(actor->GetProperty(), 0.10, 0.88, 0.12);
+      actor->GetProperty()->SetOpacity(look.opacity);
+    }
+  }
+
+  void apply_visibility(Bone& bone) {
+    const bool show_coarse = coarse_bones && bone.coarse;
+    bone.fine->actor->SetVisibility(bone.visible && !show_coarse);
+    if (bone.coarse) bone.coarse->actor->SetVisibility(bone.visible && show_coarse);
   }
 
   static void apply_pose(Bone& bone) {
@@ -357,7 +382,7 @@ struct FaceScene::Impl {
       for (int c = 0; c < 3; ++c) matrix->SetElement(r, c, bone.pose.rotation(r, c));
       matrix->SetElement(r, 3, bone.pose.translation(r));
     }
-    bone.shown->actor->SetUserMatrix(matrix);
+    for (vtkActor* actor : bone.actors()) actor->SetUserMatrix(matrix);
   }
 
   Bone* find_bone(const std::string& name) {
@@ -372,7 +397,7 @@ struct FaceScene::Impl {
       all.push_back(face.vertices * axes.transpose());
     }
     for (const auto& [name, bone] : bones) {
-      if (!bone.shown->actor->GetVisibility()) continue;
+      if (!bone.visible) continue;
       all.push_back(moved(bone.mesh.vertices, bone.pose) * axes.transpose());
     }
     return all;
@@ -472,15 +497,19 @@ void FaceScene::hide_colour_map() {
   impl_->refresh_face_look();
 }
 
-void FaceScene::set_bone(const std::string& name, const TriangleMesh& bone, const BoneLook& look) {
+void FaceScene::set_bone(const std::string& name, const TriangleMesh& bone, const BoneLook& look,
+                         const Triangles& coarse) {
   check_surface(bone, name);
-  std::vector<int> all(static_cast<size_t>(bone.vertices.rows()));
-  for (size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
-  Impl::Bone entry{bone, {}, std::make_unique<ShownSurface>(std::move(all), bone.triangles)};
-  entry.shown->move_to(bone.vertices, vertex_normals(bone));
+  if (coarse.rows() > 0) check_surface({bone.vertices, coarse}, name);
+  Impl::Bone entry;
+  entry.mesh = bone;
+  const Points normals = vertex_normals(bone);
+  entry.fine = show_bone(bone, normals, bone.triangles);
+  if (coarse.rows() > 0) entry.coarse = show_bone(bone, normals, coarse);
   Impl::apply_look(entry, look);
+  impl_->apply_visibility(entry);
   remove_bone(name);
-  impl_->renderer->AddActor(entry.shown->actor);
+  for (vtkActor* actor : entry.actors()) impl_->renderer->AddActor(actor);
   impl_->bones.emplace(name, std::move(entry));
 }
 
@@ -496,12 +525,20 @@ void FaceScene::set_bone_look(const std::string& name, const BoneLook& look) {
 }
 
 void FaceScene::set_bone_visible(const std::string& name, bool visible) {
-  if (Impl::Bone* bone = impl_->find_bone(name)) bone->shown->actor->SetVisibility(visible);
+  if (Impl::Bone* bone = impl_->find_bone(name)) {
+    bone->visible = visible;
+    impl_->apply_visibility(*bone);
+  }
+}
+
+void FaceScene::set_coarse_bones(bool coarse) {
+  impl_->coarse_bones = coarse;
+  for (auto& [name, bone] : impl_->bones) impl_->apply_visibility(bone);
 }
 
 void FaceScene::remove_bone(const std::string& name) {
   if (const Impl::Bone* bone = impl_->find_bone(name)) {
-    impl_->renderer->RemoveActor(bone->shown->actor);
+    for (vtkActor* actor : bone->actors()) impl_->renderer->RemoveActor(actor);
     impl_->bones.erase(name);
   }
 }
@@ -531,9 +568,11 @@ void FaceScene::look_from(CameraPreset view, double aspect_ratio) {
   if (all.empty()) return;
   const auto [low, high] = framed_box(all);
   const Eigen::RowVector3d centre = (low + high) / 2;
-  constexpr double margin = 0.88;  // of the half picture, for bar, caption and letters
-  const double tan_up = margin * std::tan(view_angle * pi / 360);
-  const double tan_right = tan_up * aspect_ratio;
+  // Of the half picture; the rest is for the caption above and the scale bar at the side.
+  constexpr double filled_height = 0.87, filled_width = 0.78;
+  const double half = std::tan(view_angle * pi / 360);
+  const double tan_up = filled_height * half;
+  const double tan_right = filled_width * half * aspect_ratio;
   double distance = 1;  // of the camera from the centre, so that every point is in the picture
   for (const Points& points : all) {
     for (Eigen::Index i = 0; i < points.rows(); ++i) {

@@ -27,7 +27,7 @@ struct BoneLook {
   Eigen::Vector3d colour;  ///< RGB, 0..1
   double opacity = 1;      ///< 0..1
 };
-inline const BoneLook skull_look{{0.90, 0.85, 0.74}, 1};
+inline const BoneLook skull_look{{0.93, 0.89, 0.80}, 1};
 inline const BoneLook segment_look{{0.36, 0.66, 0.72}, 1};
 
 /// The patient as a picture: textured face, bones, colour map, caption. It knows no window and no
@@ -73,12 +73,18 @@ class FaceScene {
                        const std::string& title = "mm");
   void hide_colour_map();
 
-  /// Adds or replaces the bone called `name`. Throws Error(input) as check_surface().
-  void set_bone(const std::string& name, const TriangleMesh& bone, const BoneLook& look);
+  /// Adds or replaces the bone called `name`, at rest. coarse: fewer triangles over the same
+  /// vertices for set_coarse_bones(), as coarse_triangles() in render/coarse_surface.h makes them;
+  /// none: the bone is always drawn whole. Throws Error(input) as check_surface().
+  void set_bone(const std::string& name, const TriangleMesh& bone, const BoneLook& look,
+                const Triangles& coarse = {});
   /// Names that the scene does not have are ignored, so that a view can be set before a case is.
   void set_bone_pose(const std::string& name, const RigidMotion& pose);
   void set_bone_look(const std::string& name, const BoneLook& look);
   void set_bone_visible(const std::string& name, bool visible);
+  /// true: bones that have coarse triangles are drawn with those. Switch it on while a segment is
+  /// dragged or the camera turns, off at rest.
+  void set_coarse_bones(bool coarse);
   void remove_bone(const std::string& name);
   void remove_bones();
   std::vector<std::string> bone_names() const;

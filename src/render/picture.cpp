@@ -18,7 +18,7 @@ void write_png(const Picture& picture, const std::filesystem::path& path) {
                       const_cast<std::uint8_t*>(picture.rgb.data()));
     cv::Mat bgr;
     cv::cvtColor(rgb, bgr, cv::COLOR_RGB2BGR);
-    written = cv::imwrite(path.string(), bgr, {cv::IMWRITE_PNG_COMPRESSION, 9});
+    written = cv::imwrite(path.string(), bgr, {cv::IMWRITE_PNG_COMPRESSION, 5});
   } catch (const cv::Exception&) {
     written = false;  // told below
   }

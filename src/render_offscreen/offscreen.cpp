@@ -60,7 +60,7 @@ OffscreenRenderer::OffscreenRenderer() : impl_(std::make_unique<Impl>()) {
     throw Error(ErrorKind::output, "pictures", "OSMesa gives no OpenGL 3.3 context",
                 "install the package libosmesa6 (Mesa 22 or newer)");
   }
-  impl_->window->SetMultiSamples(8);
+  impl_->window->SetMultiSamples(4);
 }
 
 OffscreenRenderer::~OffscreenRenderer() = default;

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "render/baseline.h"
+#include "render/coarse_surface.h"
 #include "render/scene_fixture.h"
 
 namespace gnathion::test {
@@ -186,6 +187,22 @@ TEST_F(SceneTest, PoseMovesABone) {
   const double shifted = mean_column(renderer.render(scene, 320, 320), is_red);
   EXPECT_NEAR(rest, 160, 2);
   EXPECT_GT(shifted, rest + 25);
+}
+
+TEST_F(SceneTest, CoarseBoneIsDrawnOnlyWhenAskedForAndLooksMuchTheSame) {
+  const TriangleMesh bone = ellipsoid({0, 0, 0}, {60, 60, 60});
+  const Triangles coarse = coarse_triangles(bone, 1200);
+  EXPECT_LE(coarse.rows(), 1200);
+  EXPECT_GT(coarse.rows(), 600);
+  scene.set_bone("skull", bone, skull_look, coarse);
+  const Picture fine = front();
+  scene.set_coarse_bones(true);
+  const Picture rough = front();
+  EXPECT_NE(rough, fine);
+  EXPECT_LT(difference(rough, fine).far_pixels, 0.02);
+  scene.set_coarse_bones(false);
+  EXPECT_EQ(front(), fine);
+  EXPECT_EQ(coarse_triangles(bone, 100000), bone.triangles);
 }
 
 TEST_F(SceneTest, HiddenAndRemovedThingsLeaveThePicture) {

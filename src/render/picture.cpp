@@ -1,6 +1,7 @@
 #include "render/picture.h"
 
 #include <algorithm>
+#include <fstream>
 #include <stdexcept>
 
 #include <opencv2/core.hpp>
@@ -12,25 +13,27 @@
 namespace gnathion {
 
 void write_png(const Picture& picture, const std::filesystem::path& path) {
-  bool written = false;
-  try {
-    const cv::Mat rgb(picture.height, picture.width, CV_8UC3,
-                      const_cast<std::uint8_t*>(picture.rgb.data()));
-    cv::Mat bgr;
-    cv::cvtColor(rgb, bgr, cv::COLOR_RGB2BGR);
-    written = cv::imwrite(path.string(), bgr, {cv::IMWRITE_PNG_COMPRESSION, 5});
-  } catch (const cv::Exception&) {
-    written = false;  // told below
-  }
-  if (!written) {
-    throw Error(ErrorKind::output, path.string(), "the picture cannot be written",
-                "choose a folder that exists and may be written, a name ending in .png, and see "
-                "that the disk is not full");
+  const cv::Mat rgb(picture.height, picture.width, CV_8UC3,
+                    const_cast<std::uint8_t*>(picture.rgb.data()));
+  cv::Mat bgr;
+  cv::cvtColor(rgb, bgr, cv::COLOR_RGB2BGR);
+  std::vector<std::uint8_t> png;
+  cv::imencode(".png", bgr, png, {cv::IMWRITE_PNG_COMPRESSION, 5});
+  std::ofstream file(path, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
+  file.close();
+  if (!file) {
+    throw Error(
+        ErrorKind::output, path.string(), "the picture cannot be written",
+        "choose a folder that exists and may be written, and see that the disk is not full");
   }
 }
 
 Picture read_picture_file(const std::filesystem::path& path) {
-  const cv::Mat bgr = cv::imread(path.string(), cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
+  cv::Mat bgr;
+  if (std::filesystem::is_regular_file(path)) {
+    bgr = cv::imread(path.string(), cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
+  }
   if (bgr.empty()) {
     throw Error(ErrorKind::input, path.string(), "missing, or no picture",
                 "give a PNG or JPEG file");

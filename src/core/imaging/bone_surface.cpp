@@ -184,7 +184,7 @@ TriangleMesh bone_surface(const CtVolume& volume, const BoneSurfaceOptions& opti
   const auto stage = progress.stage("bone surface");
   const CtVolume part = options.crop ? cropped(volume, *options.crop) : volume;
   HeadMask head;
-  if (options.remove_support) head = find_head(part, support_hu, support_opening);
+  if (options.remove_support) head = find_head(part, support_hu, support_opening, 0);
   progress.check();
   const TriangleMesh all = contour(part, options.hu, options.remove_support ? &head : nullptr);
   progress.check();

@@ -143,18 +143,22 @@ std::uint8_t HeadMask::at(const Eigen::Vector3d& lps) const {
   return inside ? label[grid.index(p.x(), p.y(), p.z())] : static_cast<std::uint8_t>(air);
 }
 
-HeadMask find_head(const CtVolume& volume, double hu, double opening_radius) {
+HeadMask find_head(const CtVolume& volume, double hu, double opening_radius, double couch_blur) {
   HeadMask mask;
   mask.grid = grid_over(bounds_of(volume), grid_step, 1);
   const VoxelGrid& grid = mask.grid;
   const std::vector<float> values = resampled(volume, grid, not_scanned);
-  const std::vector<int> front = couch_front(values, grid, hu);
+  std::vector<int> front = couch_front(values, grid, hu);
+  for (int& y : front) y -= static_cast<int>(std::lround(couch_blur / grid.step));
   Mask& label = mask.label;
   label.assign(grid.size(), HeadMask::air);
   for (std::size_t i = 0; i < label.size(); ++i) {
-    if (values[i] < hu) continue;
     const Eigen::Vector3i p = grid.at(i);
-    label[i] = p.y() >= front[static_cast<std::size_t>(p.x())] ? HeadMask::support : HeadMask::head;
+    if (p.y() >= front[static_cast<std::size_t>(p.x())]) {
+      label[i] = HeadMask::support;
+    } else if (values[i] >= hu) {
+      label[i] = HeadMask::head;
+    }
   }
   const int radius = std::clamp(static_cast<int>(std::lround(opening_radius / grid.step)), 1, 13);
   Mask other_cores(label.size());

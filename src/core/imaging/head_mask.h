@@ -16,10 +16,10 @@ struct HeadMask {
 
 /// Labels everything of at least `hu`. Three kinds of support are told from the head:
 /// - a couch: what runs through nearly all slices along z, is wider than deep and lies behind the
-///   skull, and all that is behind its top;
+///   skull, and all that is behind its top or less than couch_blur (mm) before it;
 /// - shells and straps: parts thinner than twice opening_radius (mm) that stand off by more than
 ///   28 mm or are wider than 90 mm (ears do neither);
 /// - other bodies: of all bodies the one with the most bone is the head.
-HeadMask find_head(const CtVolume& volume, double hu, double opening_radius);
+HeadMask find_head(const CtVolume& volume, double hu, double opening_radius, double couch_blur);
 
 }  // namespace gnathion

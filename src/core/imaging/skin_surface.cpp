@@ -16,15 +16,15 @@ namespace {
 constexpr float not_scanned = -32768;  // below every HU: beyond the volume
 constexpr float air = -1000;
 constexpr float solid = 300;  // HU above the level, inside what was filled
-// A net's quad edges are as long as the grid's step, its diagonals √2 times: the mean of all edges
-// was measured on heads and spheres.
-constexpr double edge_per_step = 1.13;
+// mm; so near to a couch its blur reaches the skin's level, and would stand off the head as a rim.
+constexpr double couch_blur = 4;
+constexpr double edge_per_step = 0.925;  // of a relaxed surface net, as measured on heads
 
 /// HU on a grid around the head, edited where the skin is to differ from the level surface.
 struct SkinField {
   VoxelGrid grid;
   std::vector<float> hu;
-  Mask edited;
+  Mask edited;  ///< where the skin is not the scanned level surface
 };
 
 LpsBox box_of_head(const HeadMask& head) {
@@ -39,11 +39,11 @@ LpsBox box_of_head(const HeadMask& head) {
   return box;
 }
 
-/// Sets what holds the head to air. Flags beyond-the-volume voxels in the field by not_scanned.
-void drop_support(const HeadMask& head, double level, SkinField& field) {
+/// Sets what holds the head to air.
+void drop_support(const HeadMask& head, SkinField& field) {
   const VoxelGrid& grid = field.grid;
   for (std::size_t i = 0; i < field.hu.size(); ++i) {
-    if (field.hu[i] < level) continue;
+    if (field.hu[i] == not_scanned) continue;
     if (head.at(grid.lps(grid.at(i).cast<double>())) != HeadMask::support) continue;
     field.hu[i] = air;
     field.edited[i] = 1;
@@ -122,7 +122,36 @@ void smooth_edited(double level, SkinField& field) {
     }
   }
   for (std::size_t i = 0; i < from.size(); ++i) {
-    if (near[i] <= 4) field.hu[i] = from[i];
+    field.edited[i] = near[i] <= 4;
+    if (field.edited[i]) field.hu[i] = from[i];
+  }
+}
+
+/// Moves the vertices from the coarse field's level onto the scan's own, along its gradient, by at
+/// most half a grid step; edited places stay.
+void project_onto_scan(const CtVolume& volume, double level, const SkinField& field,
+                       TriangleMesh& mesh) {
+  const VoxelGrid& grid = field.grid;
+  constexpr double h = 0.5;  // mm; half the spacing of a fine CT
+  for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v) {
+    const Eigen::Vector3d start = mesh.vertices.row(v);
+    const Eigen::Vector3i cell =
+        ((start - grid.origin).array() / grid.step + 0.5).floor().cast<int>().matrix();
+    if (field.edited[grid.index(cell.x(), cell.y(), cell.z())]) continue;
+    Eigen::Vector3d p = start;
+    for (int step = 0; step < 4; ++step) {
+      Eigen::Vector3d slope;
+      for (int axis = 0; axis < 3; ++axis) {
+        const Eigen::Vector3d d = h * Eigen::Vector3d::Unit(axis);
+        slope[axis] = (volume.sample(p + d) - volume.sample(p - d)) / (2 * h);
+      }
+      const double off = level - volume.sample(p);
+      if (std::abs(off) < 1 || slope.norm() < 10) break;
+      const Eigen::Vector3d move = off / slope.squaredNorm() * slope;
+      p += move * std::min(1.0, 0.25 * grid.step / move.norm());
+    }
+    const bool close = (p - start).norm() <= 0.5 * grid.step;
+    if (close && std::abs(volume.sample(p) - level) < 20) mesh.vertices.row(v) = p;
   }
 }
 
@@ -157,7 +186,7 @@ TriangleMesh skin_surface(const CtVolume& volume, const SkinSurfaceOptions& opti
   HeadMask head;
   LpsBox box = bounds_of(part);
   if (options.remove_support) {
-    head = find_head(part, options.hu, options.opening_radius_mm);
+    head = find_head(part, options.hu, options.opening_radius_mm, couch_blur);
     box = box_of_head(head);
   }
   progress.check();
@@ -169,15 +198,19 @@ TriangleMesh skin_surface(const CtVolume& volume, const SkinSurfaceOptions& opti
     field.grid = grid_over(box, step, closing + 3);
     field.hu = resampled(part, field.grid, not_scanned);
     field.edited.assign(field.hu.size(), 0);
-    if (options.remove_support) drop_support(head, options.hu, field);
+    if (options.remove_support) drop_support(head, field);
     progress.check();
     fill_inside(outer_air(field, options.hu, closing), options.hu, field);
     smooth_edited(options.hu, field);
     const auto level = static_cast<float>(options.hu);
     make_well_composed(field.hu, field.grid, level);
     progress.check();
-    TriangleMesh skin = surface_nets(field.hu, field.grid, level, 10);
-    if (skin.triangles.rows() > 0) return largest_component(skin);
+    const TriangleMesh net = surface_nets(field.hu, field.grid, level, 10);
+    if (net.triangles.rows() > 0) {
+      TriangleMesh skin = largest_component(net);
+      project_onto_scan(part, options.hu, field, skin);
+      return skin;
+    }
   }
   throw Error(ErrorKind::anatomy, volume.source(),
               "holds no skin at " + std::to_string(std::lround(options.hu)) + " HU",

@@ -120,6 +120,10 @@ TissueModel read_tissue(JsonReader object) {
   tissue.load = load == "force" ? LoadModel::force : LoadModel::displacement;
   read_positive(object, "depth_mm", tissue.depth_mm);
   read_positive(object, "bone_reach_mm", tissue.bone_reach_mm);
+  object.read("released_mm", tissue.released_mm);
+  if (!std::isfinite(tissue.released_mm) || tissue.released_mm < 0) {
+    object.refuse("released_mm", "it is below 0", "give 0 or a positive number");
+  }
   object.read("young_MPa", tissue.material.young_MPa);
   object.read("poisson", tissue.material.poisson);
   try {
@@ -277,6 +281,7 @@ void write_case_file(const SurgicalCase& plan, const fs::path& path) {
   root["tissue"] = {{"generator", plan.tissue.generator == Generator::paper ? "paper" : "robust"},
                     {"depth_mm", plan.tissue.depth_mm},
                     {"bone_reach_mm", plan.tissue.bone_reach_mm},
+                    {"released_mm", plan.tissue.released_mm},
                     {"young_MPa", plan.tissue.material.young_MPa},
                     {"poisson", plan.tissue.material.poisson},
                     {"load", plan.tissue.load == LoadModel::force ? "force" : "displacement"}};

@@ -38,6 +38,9 @@ struct TissueModel {
   Generator generator = Generator::robust;
   double depth_mm = 8;        ///< d of the ST Generator; robust: where no bone is near
   double bone_reach_mm = 20;  ///< threshold of the bone map
+  /// Bone nearer than this to the bone across the cut does not hold the tissue: there the surgeon
+  /// lifts it off, and lips rest on teeth without being attached to them.
+  double released_mm = 10;
   ElasticMaterial material;
   LoadModel load = LoadModel::displacement;
 };

@@ -1,6 +1,7 @@
 #include "prediction/face_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -16,22 +17,27 @@ IntermediateMesh choose_region(const TriangleMesh& face, const RegionChoice& cho
                                  : region_of_vertices(face, choice.vertices);
 }
 
-/// Rim fixed, inner vertices held or moved by the bone they rest on (displacement transfer); with
-/// force transfer only the rim is held, as in the paper.
-void set_supports(LoadModel load, TissueProblem& problem) {
+/// Rim fixed, inner vertices held or moved by the bone they rest on (displacement transfer), unless
+/// it is next to the bone on the other side of the cut; with force transfer only the rim is held,
+/// as in the paper.
+void set_supports(const TissueModel& model, const BspTree& segment, const BspTree& skull,
+                  TissueProblem& problem) {
   const SoftTissueMesh& tissue = problem.tissue;
   problem.supports.assign(static_cast<std::size_t>(tissue.mesh.vertices.rows()), Support::free);
   for (int v = 0; v < tissue.surface_count; ++v) {
     Support& inner = problem.supports[tissue.inner(v)];
-    if (problem.region.rim[v]) {
-      problem.supports[v] = inner = Support::fixed;
-    } else if (load == LoadModel::displacement && problem.bone_below[v] == Underlying::segment) {
-      inner = Support::attached;
-      ++problem.attached_count;
-    } else if (load == LoadModel::displacement && problem.bone_below[v] == Underlying::skull) {
-      inner = Support::fixed;
-      ++problem.on_skull_count;
+    const Underlying bone = problem.bone_below[v];
+    if (problem.region.rim[v]) problem.supports[v] = inner = Support::fixed;
+    if (problem.region.rim[v] || model.load == LoadModel::force || bone == Underlying::none) {
+      continue;
     }
+    const BspTree& other = bone == Underlying::segment ? skull : segment;
+    if (other.nearest(tissue.mesh.vertices.row(tissue.inner(v)), model.released_mm)) {
+      ++problem.released_count;
+      continue;
+    }
+    inner = bone == Underlying::segment ? Support::attached : Support::fixed;
+    ++(bone == Underlying::segment ? problem.attached_count : problem.on_skull_count);
   }
 }
 
@@ -66,6 +72,40 @@ std::vector<int> forced_points(const TissueProblem& problem) {
   return forced;
 }
 
+/// Meshes the tissue and finds the bone below it. A region with folds deeper than the default depth
+/// needs directions smoothed over more than that: each further try doubles the smoothing.
+void mesh_tissue(const BspTree& segment, const BspTree& skull, const TissueModel& model,
+                 TissueProblem& problem) {
+  BoneBelowOptions options;
+  options.threshold = model.bone_reach_mm;
+  options.default_depth = model.depth_mm;
+  constexpr int kTries = 3;
+  double length = model.depth_mm;
+  for (int attempt = 1;; ++attempt, length *= std::sqrt(2.0)) {
+    const Points directions = offset_directions(problem.region, length);
+    BoneBelow below =
+        bone_below(problem.region, directions, segment, skull, problem.links, options);
+    problem.bone_below = std::move(below.bone);
+    if (model.generator == Generator::paper) {
+      problem.tissue = st_generator_paper(problem.region, model.depth_mm);
+      require_clean(problem.tissue);
+      return;
+    }
+    try {
+      problem.tissue = st_generator(problem.region, directions, below.depth);
+      // Tissue that had to be made thinner does not reach its bone.
+      for (Eigen::Index v = 0; v < below.depth.size(); ++v) {
+        if (problem.tissue.depth[v] < 0.9 * below.depth[v]) {
+          problem.bone_below[v] = Underlying::none;
+        }
+      }
+      return;
+    } catch (const Error&) {
+      if (attempt == kTries) throw;
+    }
+  }
+}
+
 double rim_distance(const IntermediateMesh& region, const BspTree& segment) {
   double least = 1e3;
   for (std::size_t v = 0; v < region.rim.size(); ++v) {
@@ -88,30 +128,17 @@ TissueProblem build_tissue(const Anatomy& anatomy, const RegionChoice& choice,
     problem.region = choose_region(anatomy.face.mesh.surface, choice, segment);
     problem.rim_to_segment = rim_distance(problem.region, segment);
   }
-  Points directions;
-  BoneBelow below;
   {
     const auto stage = progress.stage("bone map");
     const BspTree skin(problem.region.mesh);
     problem.links =
         bone_map(anatomy.cut.segment, segment, problem.region, skin, model.bone_reach_mm);
     problem.forced = forced_points(problem);
-    directions = offset_directions(problem.region);
-    BoneBelowOptions options;
-    options.threshold = model.bone_reach_mm;
-    options.default_depth = model.depth_mm;
-    below = bone_below(problem.region, directions, segment, BspTree(anatomy.cut.remainder),
-                       problem.links, options);
   }
-  {
-    const auto stage = progress.stage("ST Generator");
-    problem.tissue = model.generator == Generator::paper
-                         ? st_generator_paper(problem.region, model.depth_mm)
-                         : st_generator(problem.region, directions, below.depth);
-    require_clean(problem.tissue);
-  }
-  problem.bone_below = std::move(below.bone);
-  set_supports(model.load, problem);
+  const auto stage = progress.stage("ST Generator");
+  const BspTree skull(anatomy.cut.remainder);
+  mesh_tissue(segment, skull, model, problem);
+  set_supports(model, segment, skull, problem);
   require_driven(model.load, problem);
   return problem;
 }

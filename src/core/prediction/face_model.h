@@ -20,6 +20,7 @@ struct TissueProblem {
   std::vector<int> forced;    ///< surface nodes that the bone map links to the segment
   int attached_count = 0;     ///< inner nodes that follow the segment
   int on_skull_count = 0;     ///< inner nodes held by other bone
+  int released_count = 0;     ///< inner nodes on bone next to the cut, which does not hold them
   double rim_to_segment = 0;  ///< mm, smallest distance from the rim to the moving bone
 };
 

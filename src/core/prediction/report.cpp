@@ -59,6 +59,7 @@ json sizes_json(const Anatomy& anatomy, const FaceModel& model) {
           {"free_nodes", model.solver().free_count()},
           {"nodes_on_segment", problem.attached_count},
           {"nodes_on_other_bone", problem.on_skull_count},
+          {"nodes_released_at_the_cut", problem.released_count},
           {"forced_points", problem.forced.size()}};
 }
 
@@ -84,7 +85,8 @@ json model_json(const TissueModel& tissue) {
           {"young_MPa", tissue.material.young_MPa},
           {"poisson", tissue.material.poisson},
           {"depth_mm", tissue.depth_mm},
-          {"bone_reach_mm", tissue.bone_reach_mm}};
+          {"bone_reach_mm", tissue.bone_reach_mm},
+          {"released_mm", tissue.released_mm}};
 }
 
 json motion_json(const SurgicalCase& plan, const Anatomy& anatomy) {

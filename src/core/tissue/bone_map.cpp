@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
 
 namespace gnathion {
 namespace {
@@ -21,31 +20,6 @@ void spread_depths(const std::vector<std::vector<int>>& neighbours, double defau
       mean /= static_cast<double>(neighbours[v].size());
       below.depth[v] = (1 - kDraw) * mean + kDraw * default_depth;
     }
-  }
-}
-
-/// Cuts depths down to what the slope allows from any other vertex (Dijkstra from the shallow
-/// ones). A vertex cut by more than a tenth of its depth no longer rests on its bone.
-void limit_slope(const IntermediateMesh& region, const std::vector<std::vector<int>>& neighbours,
-                 double steepest, BoneBelow& below) {
-  const Eigen::VectorXd wanted = below.depth;
-  using Entry = std::pair<double, int>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  for (int v = 0; v < below.depth.size(); ++v) queue.emplace(below.depth[v], v);
-  while (!queue.empty()) {
-    const auto [depth, v] = queue.top();
-    queue.pop();
-    if (depth > below.depth[v]) continue;
-    for (const int w : neighbours[v]) {
-      const double edge = (region.mesh.vertices.row(v) - region.mesh.vertices.row(w)).norm();
-      if (depth + steepest * edge < below.depth[w]) {
-        below.depth[w] = depth + steepest * edge;
-        queue.emplace(below.depth[w], w);
-      }
-    }
-  }
-  for (Eigen::Index v = 0; v < wanted.size(); ++v) {
-    if (below.depth[v] < 0.9 * wanted[v]) below.bone[v] = Underlying::none;
   }
 }
 
@@ -110,9 +84,7 @@ BoneBelow bone_below(const IntermediateMesh& region, const Points& directions,
       below.depth[v] = options.least_depth;
     }
   }
-  const auto neighbours = vertex_neighbours(region.mesh);
-  spread_depths(neighbours, options.default_depth, below);
-  limit_slope(region, neighbours, options.steepest, below);
+  spread_depths(vertex_neighbours(region.mesh), options.default_depth, below);
   return below;
 }
 

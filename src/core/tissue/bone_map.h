@@ -37,14 +37,12 @@ struct BoneBelowOptions {
   double threshold = 20;     ///< mm: bone farther away is not below
   double default_depth = 8;  ///< mm, where there is no bone
   double least_depth = 1;    ///< mm: thinner tissue is not modelled; such bone does not hold it
-  double steepest = 1.5;     ///< change of depth per mm along the surface; steeper is not followed
 };
 
 /// Casts a ray from each vertex of the region along `directions` (M×3, unit, into the tissue) to
 /// the moving segment and to the rest of the skull; the nearer one counts. Vertices that a bone
 /// link of the segment meets, but whose own ray misses it, take the mean length of their links.
-/// Depths between are interpolated over the surface towards the default; a vertex whose bone is
-/// deeper than the slope limit allows from its neighbours does not rest on it.
+/// Depths between are interpolated over the surface towards the default.
 BoneBelow bone_below(const IntermediateMesh& region, const Points& directions,
                      const BspTree& segment, const BspTree& skull,
                      const std::vector<BoneLink>& links, const BoneBelowOptions& options);

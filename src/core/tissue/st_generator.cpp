@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <queue>
 #include <string>
+#include <utility>
 
 #include "base/error.h"
 #include "geometry/tet_quality.h"
@@ -63,12 +65,10 @@ Points centre_weights(const TriangleMesh& mesh) {
   return weights.array().colwise() / weights.rowwise().sum().array();
 }
 
-/// Inner vertices at the present depths, centre points between them.
-void place_inner_points(const IntermediateMesh& region, const Points& directions,
-                        const Points& weights, SoftTissueMesh& tissue) {
-  const int M = tissue.surface_count;
+/// Centre points between the inner vertices.
+void place_centre_points(const IntermediateMesh& region, const Points& weights,
+                         SoftTissueMesh& tissue) {
   Points& P = tissue.mesh.vertices;
-  P.middleRows(M, M) = region.mesh.vertices + tissue.depth.asDiagonal() * directions;
   for (int i = 0; i < tissue.triangle_count; ++i) {
     const auto f = region.mesh.triangles.row(i);
     P.row(tissue.centre(i)) = weights(i, 0) * P.row(tissue.inner(f[0])) +
@@ -135,7 +135,10 @@ SoftTissueMesh st_generator_paper(const IntermediateMesh& region, double depth,
   return tissue;
 }
 
-Points offset_directions(const IntermediateMesh& region, int smoothing_rounds) {
+Points offset_directions(const IntermediateMesh& region, double length) {
+  // k means over the neighbours spread over about √k edges; the factor is by trial on faces.
+  const double edges = length / mean_edge_length(region.mesh);
+  const int smoothing_rounds = std::clamp(static_cast<int>(3 * edges * edges), 5, 400);
   const Points inward = -vertex_normals(region.mesh);
   const Points behind = -triangle_normals(region.mesh);
   const auto neighbours = vertex_neighbours(region.mesh);
@@ -169,44 +172,132 @@ Points offset_directions(const IntermediateMesh& region, int smoothing_rounds) {
   return directions;
 }
 
-SoftTissueMesh st_generator(const IntermediateMesh& region, const Points& directions,
-                            const Eigen::VectorXd& depth, const RobustGeneratorOptions& options) {
-  SoftTissueMesh tissue = empty_mesh(region);
-  tissue.depth = depth;
-  const Points weights = centre_weights(region.mesh);
-  const Eigen::VectorXd area = triangle_area_at_vertices(region.mesh);
-  Eigen::Index worst = 0;
-  for (int round = 0; round <= options.repair_rounds; ++round) {
-    place_inner_points(region, directions, weights, tissue);
-    const Eigen::VectorXd volumes = tet_volumes(tissue.mesh);
-    Eigen::VectorXd factor = Eigen::VectorXd::Ones(tissue.surface_count);
-    bool clean = true;
-    for (Eigen::Index t = 0; t < volumes.size(); ++t) {
-      const std::vector<int> vertices = shaping_vertices(region, tissue, t);
-      double flat = std::numeric_limits<double>::infinity();
-      for (const int v : vertices) flat = std::min(flat, area[v] * tissue.depth[v] / 3);
-      if (volumes[t] > options.smallest_volume_ratio * flat) continue;
-      clean = false;
-      worst = vertices.front();
-      // Across a concave edge the centre points must lie below it: there tissue is too thin.
-      // Elsewhere inner points have crossed: there it is too thick.
-      const bool too_thin = is_across_edge(tissue, t);
-      for (const int v : vertices) {
-        if (too_thin) {
-          factor[v] = 1 / options.shrink;
-        } else if (factor[v] == 1) {
-          factor[v] = options.shrink;
-        }
-      }
+namespace {
+
+/// Depth at which the offset lines at the ends of an edge come closest to meeting, mm; infinite
+/// when they do not converge.
+double focal_depth(const Eigen::RowVector3d& edge, const Eigen::RowVector3d& turn) {
+  const double closing = -edge.dot(turn);
+  return closing > 0 ? edge.squaredNorm() / closing : std::numeric_limits<double>::infinity();
+}
+
+/// Cuts depths down to a part of the focal depth, beyond which inner vertices would pass each
+/// other, and to what the slope allows from any other vertex (Dijkstra from the shallow ones).
+Eigen::VectorXd limited_depths(const IntermediateMesh& region, const Points& directions,
+                               const std::vector<std::vector<int>>& neighbours,
+                               const Eigen::VectorXd& wanted,
+                               const RobustGeneratorOptions& options) {
+  const Points& x = region.mesh.vertices;
+  Eigen::VectorXd depth = wanted;
+  for (const Edge& edge : region.edges) {
+    const double focal =
+        focal_depth(x.row(edge.b) - x.row(edge.a), directions.row(edge.b) - directions.row(edge.a));
+    for (const int v : {edge.a, edge.b}) {
+      depth[v] = std::min(depth[v], options.focal_part * focal);
     }
-    if (clean) return tissue;
-    tissue.depth.array() *= factor.array();
   }
-  const Eigen::RowVector3d at = region.mesh.vertices.row(worst);
+  using Entry = std::pair<double, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  for (int v = 0; v < depth.size(); ++v) queue.emplace(depth[v], v);
+  while (!queue.empty()) {
+    const auto [shallow, v] = queue.top();
+    queue.pop();
+    if (shallow > depth[v]) continue;
+    for (const int w : neighbours[v]) {
+      const double allowed = shallow + options.steepest * (x.row(v) - x.row(w)).norm();
+      if (allowed >= depth[w]) continue;
+      depth[w] = allowed;
+      queue.emplace(allowed, w);
+    }
+  }
+  return depth;
+}
+
+/// What is wrong with the tissue at a vertex.
+enum class Fault : unsigned char { none, tangled, too_thin };
+
+/// The faults at the vertices of inverted or too flat elements.
+std::vector<Fault> find_faults(const IntermediateMesh& region, const Eigen::VectorXd& area,
+                               const SoftTissueMesh& tissue, double smallest_volume_ratio) {
+  std::vector<Fault> faults(static_cast<std::size_t>(tissue.surface_count), Fault::none);
+  const Eigen::VectorXd volumes = tet_volumes(tissue.mesh);
+  for (Eigen::Index t = 0; t < volumes.size(); ++t) {
+    const std::vector<int> vertices = shaping_vertices(region, tissue, t);
+    double flat = std::numeric_limits<double>::infinity();
+    for (const int v : vertices) flat = std::min(flat, area[v] * tissue.depth[v] / 3);
+    if (volumes[t] > smallest_volume_ratio * flat) continue;
+    // Across a concave edge the centre points must lie below it: there the tissue is too thin.
+    // Elsewhere inner points have passed each other.
+    const Fault fault = is_across_edge(tissue, t) ? Fault::too_thin : Fault::tangled;
+    for (const int v : vertices) faults[v] = std::max(faults[v], fault);
+  }
+  return faults;
+}
+
+/// The same faults, tangles also at the neighbours.
+std::vector<Fault> widened(const std::vector<Fault>& faults,
+                           const std::vector<std::vector<int>>& neighbours) {
+  std::vector<Fault> wide = faults;
+  for (std::size_t v = 0; v < faults.size(); ++v) {
+    if (faults[v] != Fault::tangled) continue;
+    for (const int w : neighbours[v]) wide[w] = std::max(wide[w], Fault::tangled);
+  }
+  return wide;
+}
+
+/// One round of repair: too thin tissue gets thicker, and where inner vertices have passed each
+/// other each goes half way to the middle of its neighbours and a little towards the surface.
+void repair(const IntermediateMesh& region, const std::vector<std::vector<int>>& neighbours,
+            const std::vector<Fault>& faults, double shrink, SoftTissueMesh& tissue) {
+  const auto inner = tissue.mesh.vertices.middleRows(tissue.surface_count, tissue.surface_count);
+  const Points before = inner;
+  for (int v = 0; v < tissue.surface_count; ++v) {
+    if (faults[v] == Fault::none) continue;
+    const Eigen::RowVector3d surface = region.mesh.vertices.row(v);
+    Eigen::RowVector3d goal = before.row(v);
+    if (faults[v] == Fault::too_thin) {
+      goal = surface + (goal - surface) / shrink;
+    } else {
+      Eigen::RowVector3d middle = Eigen::RowVector3d::Zero();
+      for (const int w : neighbours[v]) middle += before.row(w);
+      middle /= static_cast<double>(neighbours[v].size());
+      goal = surface + (1 + shrink) / 2 * ((goal + middle) / 2 - surface);
+    }
+    tissue.mesh.vertices.row(tissue.inner(v)) = goal;
+    tissue.depth[v] = (goal - surface).norm();
+  }
+}
+
+[[noreturn]] void refuse_fold(const Eigen::RowVector3d& at) {
   throw Error(ErrorKind::anatomy, "region",
               "the face is folded at LPS (" + std::to_string(at[0]) + ", " + std::to_string(at[1]) +
                   ", " + std::to_string(at[2]) + ") mm, so that no tetrahedra fit below it",
               "leave this place out of the region, or smooth the face there");
+}
+
+}  // namespace
+
+SoftTissueMesh st_generator(const IntermediateMesh& region, const Points& directions,
+                            const Eigen::VectorXd& depth, const RobustGeneratorOptions& options) {
+  SoftTissueMesh tissue = empty_mesh(region);
+  const auto neighbours = vertex_neighbours(region.mesh);
+  tissue.depth = limited_depths(region, directions, neighbours, depth, options);
+  tissue.mesh.vertices.middleRows(tissue.surface_count, tissue.surface_count) =
+      region.mesh.vertices + tissue.depth.asDiagonal() * directions;
+  const Points weights = centre_weights(region.mesh);
+  const Eigen::VectorXd area = triangle_area_at_vertices(region.mesh);
+  constexpr int kWidenAfter = 8;  // rounds: a tangle that lasts takes in its neighbourhood
+  for (int round = 0;; ++round) {
+    place_centre_points(region, weights, tissue);
+    std::vector<Fault> faults = find_faults(region, area, tissue, options.smallest_volume_ratio);
+    const auto worst = std::max_element(faults.begin(), faults.end());
+    if (*worst == Fault::none) return tissue;
+    if (round == options.repair_rounds) {
+      refuse_fold(region.mesh.vertices.row(worst - faults.begin()));
+    }
+    for (int ring = 0; ring < round / kWidenAfter; ++ring) faults = widened(faults, neighbours);
+    repair(region, neighbours, faults, options.shrink, tissue);
+  }
 }
 
 }  // namespace gnathion

@@ -29,14 +29,18 @@ SoftTissueMesh st_generator_paper(const IntermediateMesh& region, double depth,
                                   double centre_fraction = 0.5);
 
 struct RobustGeneratorOptions {
-  double shrink = 0.85;  ///< factor on the depth, one round, where elements are inverted
+  double focal_part = 0.6;  ///< of the depth where neighbouring offset lines meet
+  double steepest = 1.0;    ///< change of depth per mm along the surface
+  double shrink = 0.85;     ///< factor on the depth, one round, where elements are inverted
   int repair_rounds = 60;
   double smallest_volume_ratio = 0.02;  ///< of a tet, against the volume it has on a flat patch
 };
 
-/// Unit directions into the tissue at each vertex: −n(J_i), smoothed over the surface, and turned
-/// back where smoothing would leave the half space behind a triangle of the vertex. M×3.
-Points offset_directions(const IntermediateMesh& region, int smoothing_rounds = 20);
+/// Unit directions into the tissue at each vertex: −n(J_i), smoothed over the surface along about
+/// `length` mm (the depth to be meshed: over less, the directions of a fold cross within the
+/// tissue), and turned back where smoothing would leave the half space behind a triangle of the
+/// vertex. M×3.
+Points offset_directions(const IntermediateMesh& region, double length);
 
 /// The robust generator: the paper's elements, but the inner vertex of J_i lies `depth[i]` along
 /// `directions` (so that it can lie on the bone), and the centre point is a weighted mean of the

@@ -21,7 +21,7 @@ struct HeldPatch {
 
 HeldPatch held_patch() {
   const IntermediateMesh region = testing::whole_region(testing::hard_patch(1, 0));
-  HeldPatch patch{st_generator(region, offset_directions(region, 20),
+  HeldPatch patch{st_generator(region, offset_directions(region, 5),
                                Eigen::VectorXd::Constant(region.mesh.vertices.rows(), 5)),
                   {}};
   const Points& x = patch.tissue.mesh.vertices;

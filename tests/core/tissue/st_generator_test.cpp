@@ -13,7 +13,7 @@ using testing::hard_patch;
 using testing::whole_region;
 
 SoftTissueMesh robust(const IntermediateMesh& region, double depth) {
-  return st_generator(region, offset_directions(region, 20),
+  return st_generator(region, offset_directions(region, 5),
                       Eigen::VectorXd::Constant(region.mesh.vertices.rows(), depth));
 }
 

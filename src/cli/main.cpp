@@ -1,0 +1,83 @@
+#include <csignal>
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "base/error.h"
+#include "cli/verbs.h"
+
+namespace {
+
+gnathion::Progress* running = nullptr;
+
+extern "C" void cancel_on_signal(int) {
+  if (running != nullptr) running->cancel();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace gnathion;
+  CLI::App app{
+      "Gnathion predicts a face after an operation on the jaw. Research use only.\n"
+      "Exit codes: 0 done, 2 command line, 3 case file, 4 input file, 5 anatomy, 6 numerics,\n"
+      "7 output, 8 cancelled, 70 fault of the program."};
+  app.set_version_flag("--version", GNATHION_VERSION);
+  app.require_subcommand(1);
+  bool quiet = false;
+  app.add_flag("-q,--quiet", quiet, "do not name the stages while working");
+
+  std::string input, output;
+  unsigned seed = 1;
+  bool no_pictures = false;
+  const auto verb = [&](const char* name, const char* what, const char* input_name, bool writes) {
+    CLI::App* sub = app.add_subcommand(name, what);
+    if (input_name != nullptr) sub->add_option(input_name, input)->required();
+    if (writes) sub->add_option("OUTPUT", output, "a new folder")->required();
+    return sub;
+  };
+  verb("series", "list the DICOM series of a folder", "FOLDER", false);
+  verb("demo-case", "write the embedded default case", nullptr, true)
+      ->add_option("--seed", seed, "of noise and identifiers");
+  verb("check", "check a case file", "CASE", false);
+  verb("surfaces", "bone and face surfaces", "CASE", true);
+  verb("segment", "cut the moving bone segment", "CASE", true);
+  verb("region", "choose the region of the face that may deform", "CASE", true);
+  verb("mesh", "tetrahedra, and the same problem for CalculiX", "CASE", true);
+  verb("predict", "all steps: predicted face, pictures, report", "CASE", true)
+      ->add_flag("--no-pictures", no_pictures, "leave the pictures out");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : static_cast<int>(ErrorKind::usage);
+  }
+
+  const auto say = [quiet](const std::string& text) {
+    if (!quiet) std::cerr << text + "\n" << std::flush;
+  };
+  Progress progress([&](const std::string& stage) { say("… " + stage); },
+                    [&](const std::string& notice) { say("notice: " + notice); });
+  running = &progress;
+  std::signal(SIGINT, cancel_on_signal);
+  std::signal(SIGTERM, cancel_on_signal);
+  const std::string name = app.get_subcommands().front()->get_name();
+  try {
+    if (name == "series") list_series_verb(input, std::cout, progress);
+    if (name == "demo-case") demo_case_verb(seed, output, std::cout, progress);
+    if (name == "check") check_verb(input, std::cout);
+    if (name == "surfaces") surfaces_verb(input, output, std::cout, progress);
+    if (name == "segment") segment_verb(input, output, std::cout, progress);
+    if (name == "region") region_verb(input, output, std::cout, progress);
+    if (name == "mesh") mesh_verb(input, output, std::cout, progress);
+    if (name == "predict") predict_verb(input, output, !no_pictures, std::cout, progress);
+    return 0;
+  } catch (const Error& error) {
+    std::cerr << "gnathion-cli: " << error.what() << '\n';
+    return static_cast<int>(error.kind());
+  } catch (const std::exception& error) {
+    std::cerr << "gnathion-cli: a fault of the program: " << error.what() << '\n';
+    return 70;
+  }
+}

@@ -1,0 +1,184 @@
+#include "cli/verbs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "imaging/dicom_series.h"
+#include "io/calculix.h"
+#include "io/case_file.h"
+#include "io/files.h"
+#include "io/mesh_files.h"
+#include "offscreen/comparison_pictures.h"
+#include "phantom/head_phantom.h"
+#include "prediction/report.h"
+#include "render/face_scene.h"
+
+namespace gnathion {
+namespace {
+
+namespace fs = std::filesystem;
+
+void print_files(const fs::path& target, std::ostream& out) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(target)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  out << "wrote\n";
+  for (const fs::path& file : files) out << "  " << file.string() << '\n';
+}
+
+void publish(NewFolder& folder, const fs::path& target, std::ostream& out) {
+  folder.publish();
+  print_files(target, out);
+}
+
+void draw(const Anatomy& anatomy, const Prediction& prediction, const fs::path& folder,
+          Progress& progress) {
+  const auto stage = progress.stage("pictures");
+  FaceScene scene;
+  scene.set_face(anatomy.face.mesh, anatomy.face.document.path().filename().string());
+  scene.set_bone("skull", anatomy.cut.remainder, skull_look);
+  scene.set_bone("segment", anatomy.cut.segment, segment_look);
+  scene.set_bone_pose("segment", prediction.motion);
+  write_comparison(scene, anatomy.face.mesh.surface.vertices, prediction.face_points,
+                   prediction.signed_distance, folder);
+}
+
+void print_summary(const Prediction& prediction, const FaceModel& model, std::ostream& out) {
+  out << std::fixed << std::setprecision(2) << "face moves: mean " << prediction.displacement.mean
+      << " mm, 95th percentile " << prediction.displacement.p95 << " mm, largest "
+      << prediction.displacement.max << " mm (vertices of the region)\n"
+      << "model: " << model.problem().tissue.mesh.tets.rows()
+      << " linear tetrahedra, relative residual " << std::scientific << std::setprecision(1)
+      << prediction.relative_residual << std::fixed << '\n';
+  for (const auto& [name, response] : prediction.landmarks) {
+    out << "  " << std::left << std::setw(20) << name << std::right << std::setprecision(2)
+        << std::setw(7) << response.displacement.norm() << " mm, " << std::setw(5) << response.ratio
+        << " of the bone\n";
+  }
+  if (prediction.inverted_after > 0) {
+    out << "warning: " << prediction.inverted_after
+        << " tetrahedra are turned inside out by this motion; it is too large for the linear "
+           "model\n";
+  }
+}
+
+}  // namespace
+
+void list_series_verb(const fs::path& folder, std::ostream& out, Progress& progress) {
+  for (const SeriesSummary& series : list_series(folder, progress)) {
+    out << series.uid << "  " << series.modality << "  " << series.slices << " slices  "
+        << series.size.x() << " x " << series.size.y() << " pixels of " << series.pixel_spacing.x()
+        << " x " << series.pixel_spacing.y() << " mm  " << series.description << '\n';
+  }
+}
+
+void demo_case_verb(unsigned seed, const fs::path& target, std::ostream& out, Progress& progress) {
+  NewFolder folder(target);
+  PhantomOptions options;
+  options.seed = seed;
+  const auto stage = progress.stage("default case");
+  const PhantomTruth truth = write_phantom_case(folder.path(), options, progress);
+  SurgicalCase plan;
+  plan.name = "embedded default case";
+  plan.ct.path = folder.path() / "ct";
+  plan.photograph =
+      PhotographSource{folder.path() / "photograph" / "face.obj", truth.lps_from_photograph};
+  plan.cut = box_between(truth.mandible_box_min, truth.mandible_box_max);
+  plan.motion.forward_mm = 6;
+  for (const char* name :
+       {"pogonion_soft", "menton_soft", "mentolabial_fold", "lower_lip", "stomion", "upper_lip",
+        "mouth_corner_left", "mouth_corner_right", "subnasale", "nose_tip"}) {
+    plan.landmarks[name] = truth.landmarks.at(name);
+  }
+  write_case_file(plan, folder.path() / "case.json");
+  publish(folder, target, out);
+}
+
+void check_verb(const fs::path& case_file, std::ostream& out) {
+  const SurgicalCase plan = read_case_file(case_file);
+  const JawMotion& m = plan.motion;
+  out << "case " << (plan.name.empty() ? "(no name)" : plan.name) << '\n'
+      << "  face: " << (plan.photograph ? "photograph" : "skin of the CT") << '\n'
+      << "  motion: forward " << m.forward_mm << " mm, up " << m.up_mm << " mm, left " << m.left_mm
+      << " mm, pitch " << m.pitch_deg << " deg, roll " << m.roll_deg << " deg, yaw " << m.yaw_deg
+      << " deg\n"
+      << "the case file is well formed\n";
+}
+
+void surfaces_verb(const fs::path& case_file, const fs::path& target, std::ostream& out,
+                   Progress& progress) {
+  const SurgicalCase plan = read_case_file(case_file);
+  NewFolder folder(target);
+  const Anatomy anatomy = build_anatomy(plan, progress);
+  write_ply(anatomy.bone, folder.path() / "bone.ply");
+  anatomy.face.document.write(folder.path(), "face.obj",
+                              anatomy.face.document.mesh().surface.vertices);
+  publish(folder, target, out);
+}
+
+void segment_verb(const fs::path& case_file, const fs::path& target, std::ostream& out,
+                  Progress& progress) {
+  const SurgicalCase plan = read_case_file(case_file);
+  NewFolder folder(target);
+  const Anatomy anatomy = build_anatomy(plan, progress);
+  write_ply(anatomy.cut.segment, folder.path() / "segment.ply");
+  write_ply(anatomy.cut.remainder, folder.path() / "remainder.ply");
+  out << "segment: " << anatomy.cut.volume_mm3 / 1000 << " ml\n";
+  publish(folder, target, out);
+}
+
+void region_verb(const fs::path& case_file, const fs::path& target, std::ostream& out,
+                 Progress& progress) {
+  const SurgicalCase plan = read_case_file(case_file);
+  NewFolder folder(target);
+  const Anatomy anatomy = build_anatomy(plan, progress);
+  const TissueProblem problem = build_tissue(anatomy, plan.region, plan.tissue, progress);
+  write_ply(problem.region.mesh, folder.path() / "region.ply");
+  std::ostringstream vertices;
+  for (const int v : problem.region.face_vertex) vertices << v << '\n';
+  write_text_file(folder.path() / "region.txt", vertices.str());
+  publish(folder, target, out);
+}
+
+void mesh_verb(const fs::path& case_file, const fs::path& target, std::ostream& out,
+               Progress& progress) {
+  const SurgicalCase plan = read_case_file(case_file);
+  NewFolder folder(target);
+  const Anatomy anatomy = build_anatomy(plan, progress);
+  const TissueProblem problem = build_tissue(anatomy, plan.region, plan.tissue, progress);
+  const TetMesh& mesh = problem.tissue.mesh;
+  write_vtu(mesh, {}, folder.path() / "tissue.vtu");
+  const Points prescribed =
+      moved(mesh.vertices, rigid_motion(plan.motion, anatomy.pivot)) - mesh.vertices;
+  write_calculix_deck(mesh, plan.tissue.material, problem.supports, prescribed,
+                      folder.path() / "tissue.inp");
+  out << mesh.tets.rows() << " tetrahedra\n";
+  publish(folder, target, out);
+}
+
+void predict_verb(const fs::path& case_file, const fs::path& target, bool pictures,
+                  std::ostream& out, Progress& progress) {
+  const SurgicalCase plan = read_case_file(case_file);
+  NewFolder folder(target);
+  const Anatomy anatomy = build_anatomy(plan, progress);
+  const FaceModel model(anatomy, plan.region, plan.tissue, progress);
+  const Prediction prediction = make_prediction(plan, anatomy, model, progress);
+  {
+    const auto stage = progress.stage("export");
+    anatomy.face.document.write(folder.path(), "predicted.obj",
+                                anatomy.face.file_vertices(prediction.face_points));
+    write_vtu(model.problem().tissue.mesh, model.tissue_displacements(prediction.motion),
+              folder.path() / "tissue.vtu");
+  }
+  if (pictures) draw(anatomy, prediction, folder.path(), progress);
+  write_text_file(folder.path() / "report.json",
+                  report_json(plan, anatomy, model, prediction, progress));
+  print_summary(prediction, model, out);
+  publish(folder, target, out);
+}
+
+}  // namespace gnathion

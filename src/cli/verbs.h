@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <ostream>
+
+#include "base/progress.h"
+
+namespace gnathion {
+
+// One function a verb of gnathion-cli (docs/cli.md). Each reads its input, writes one new folder
+// that appears whole or not at all, prints what it wrote to `out`, and throws gnathion::Error.
+
+/// Lists the DICOM series of a folder: UID, modality, description, slices, spacing.
+void list_series_verb(const std::filesystem::path& folder, std::ostream& out, Progress& progress);
+
+/// Writes the embedded default case: CT, photograph, truth.json, case.json.
+void demo_case_verb(unsigned seed, const std::filesystem::path& target, std::ostream& out,
+                    Progress& progress);
+
+/// Reads and checks a case file and says what it asks for; nothing is written.
+void check_verb(const std::filesystem::path& case_file, std::ostream& out);
+
+/// bone.ply, and face.obj with its textures (the photograph in its own frame, or the CT's skin).
+void surfaces_verb(const std::filesystem::path& case_file, const std::filesystem::path& target,
+                   std::ostream& out, Progress& progress);
+
+/// segment.ply and remainder.ply.
+void segment_verb(const std::filesystem::path& case_file, const std::filesystem::path& target,
+                  std::ostream& out, Progress& progress);
+
+/// region.ply, and region.txt with its vertices of the face.
+void region_verb(const std::filesystem::path& case_file, const std::filesystem::path& target,
+                 std::ostream& out, Progress& progress);
+
+/// tissue.vtu (the tetrahedra), and tissue.inp, the same problem for CalculiX.
+void mesh_verb(const std::filesystem::path& case_file, const std::filesystem::path& target,
+               std::ostream& out, Progress& progress);
+
+/// All steps: predicted.obj with MTL and textures, pictures, tissue.vtu with displacements,
+/// report.json.
+void predict_verb(const std::filesystem::path& case_file, const std::filesystem::path& target,
+                  bool pictures, std::ostream& out, Progress& progress);
+
+}  // namespace gnathion

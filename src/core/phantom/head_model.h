@@ -42,7 +42,7 @@ class HeadModel {
   /// Outward unit normal of the skin by central differences.
   Point skin_normal(const Point& p) const;
 
-  static constexpr double joint_gap = 2.8;
+  static constexpr double joint_gap = 3.2;
 
  private:
   struct Tooth {

@@ -17,7 +17,7 @@ struct PhantomOptions {
   double slice_step_mm = 1.25;    ///< of the CT, 0.4..3
   double noise_hu = 8;            ///< standard deviation
   double photograph_edge_mm = 2;  ///< mean edge of the photograph's mesh, 1..6
-  int texture_pixels = 1280;      ///< width and height of the photograph's texture, 64..8192
+  int texture_pixels = 1536;      ///< width and height of the photograph's texture, 64..8192
   unsigned threads = 0;           ///< 0: as many as there are cores; the bytes do not depend on it
 };
 

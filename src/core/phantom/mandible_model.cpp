@@ -13,7 +13,7 @@ double ramus(const Point& p) {
       {-38.5, -13}, {-35, -19}, {-30, -22},   {-25, -21}, {-22, -17.5}, {-20, -13}};
   constexpr double rounding = 3.4;
   constexpr double half_thickness = 3.6;
-  const double flare = 47.5 + 0.17 * (p.y() + 12) + 0.05 * (p.z() + 40);
+  const double flare = 46 + 0.17 * (p.y() + 12) + 0.05 * (p.z() + 40);
   const Eigen::Vector2d section(polygon({p.y(), p.z()}, outline),
                                 std::abs(p.x() - flare) - half_thickness + rounding);
   return section.cwiseMax(0.0).norm() + std::min(section.maxCoeff(), 0.0) - rounding;
@@ -22,25 +22,25 @@ double ramus(const Point& p) {
 double condyle(const Point& p) {
   const Point head = turned(p - Point(50, -16, -4), 2, -15);
   double d = ellipsoid(head, Point::Zero(), {9.5, 4.6, 5});
-  return smooth_union(d, tube(p, {{{49, -17, -8}, 3.4}, {{48, -16, -24}, 3.2}}), 5);
+  return smooth_union(d, tube(p, {{{49, -17, -8}, 3.4}, {{47, -17, -26}, 3.2}}), 5);
 }
 
 /// The thick lower border from angle to chin.
 double base(const Point& p) {
-  double d = tube(p, {{{45.5, -22, -61}, 3.8},
-                      {{41, -40, -66.5}, 4.6},
-                      {{33, -58, -72}, 5.2},
-                      {{22, -72, -76}, 5.6},
-                      {{11, -80.5, -77.5}, 6.0},
-                      {{0, -83, -77.5}, 6.2}});
-  d = smooth_union(d, ellipsoid(p, {0, -85.6, -74}, {10, 6, 8}), 6);
-  return smooth_union(d, ellipsoid(p, {12, -83.5, -79}, {6, 5, 5}), 5);
+  double d = tube(p, {{{43.5, -22, -61}, 3.8},
+                      {{38, -40, -66.5}, 4.6},
+                      {{29.5, -57, -71.5}, 5.2},
+                      {{19.5, -70, -75.5}, 5.6},
+                      {{10, -79, -77.3}, 6.0},
+                      {{0, -81.8, -77.5}, 6.2}});
+  d = smooth_union(d, ellipsoid(p, {0, -83.8, -74}, {10, 6, 8}), 6);
+  return smooth_union(d, ellipsoid(p, {11.5, -82, -79}, {6, 5, 5}), 5);
 }
 
 }  // namespace
 
 double HeadModel::mandible_bone(const Point& p) const {
-  double d = smooth_union(base(p), alveolar_process(p, false), 8);
+  double d = smooth_union(base(p), alveolar_process(p, false), 11);
   const double r = smooth_union(ramus(p), condyle(p), 4);
   d = smooth_union(d, r, 7);
   return smooth_difference(d, ellipsoid(p, {0, -96.5, -64}, {20, 5, 5}), 5);

@@ -23,9 +23,11 @@ constexpr std::array<double (HeadModel::*)(const Vector3d&) const, part_count> p
 
 using Distances = std::array<double, part_count>;
 
-/// Share of a voxel `width` mm wide that lies inside a surface `d` mm away.
+/// Share of what a voxel sees that lies inside a surface `d` mm away. A scanner's slice and kernel
+/// blur over about two voxels (`width` mm); a sharper step would show as terraces in iso-surfaces.
 double cover(double d, double width) {
-  return std::clamp(0.5 - d / width, 0.0, 1.0);
+  const double t = std::clamp(0.5 - d / width, 0.0, 1.0);
+  return t * t * (3 - 2 * t);
 }
 
 void mix(double& value, double other, double share) {
@@ -66,7 +68,7 @@ void fill_block(const HeadModel& head, const Vector3i& first, double noise_hu, s
   const Vector3d centre = volume.origin + middle.cwiseProduct(volume.spacing);
   const double reach =
       1.4 * (last - first).cast<double>().cwiseProduct(volume.spacing).norm() / 2 + 8;
-  const double width = volume.spacing.mean();
+  const double width = 2 * volume.spacing.mean();
   Distances d;
   std::array<bool, part_count> near;
   for (int part = 0; part < part_count; ++part) {

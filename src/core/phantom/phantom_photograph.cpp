@@ -1,7 +1,9 @@
 #include "phantom/phantom_photograph.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <fstream>
+#include <map>
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
@@ -22,10 +24,10 @@ constexpr double margin = 0.02;  // of the texture, around the grid
 struct Camera {
   static constexpr double half_angle = 86;
 
-  static Vector3d target(double v) { return {0, -22, v * 42}; }
+  static Vector3d target(double v) { return {0, -22, v * 46}; }
   static Vector3d outward(double u, double v) {
     const double side = u * half_angle * M_PI / 180;
-    const double up = (-14 + 38 * v) * M_PI / 180;
+    const double up = (-14 + 46 * v) * M_PI / 180;
     return {std::sin(side) * std::cos(up), -std::cos(side) * std::cos(up), std::sin(up)};
   }
 };
@@ -89,7 +91,7 @@ Parameters grid_parameters(const HeadModel& head, double edge) {
 }
 
 /// Evens out the grid: each inner point towards its neighbours' mean, then back onto the skin.
-/// `odd` and `even` points take turns, so that rows can run in parallel with the same result.
+/// Every round reads the grid of the round before, so the order of the rows does not matter.
 void relax(const HeadModel& head, PhantomPhotograph& photo, unsigned threads, Progress& progress) {
   const int columns = photo.columns;
   Points next = photo.grid;
@@ -116,7 +118,9 @@ void keep_oval(const Parameters& parameters, PhantomPhotograph& photo) {
   const auto inside = [&](int r, int c) {
     const double u = parameters.u[static_cast<std::size_t>(c)];
     const double v = parameters.v[static_cast<std::size_t>(r)];
-    return std::pow(std::abs(u), 3) + std::pow(std::abs(v), 3) < 0.998;
+    // Narrower below, so as to end before the groove between jaw and neck.
+    const double side = u * (v < 0 ? 1 + 0.25 * v * v : 1);
+    return std::pow(std::abs(side), 2.6) + std::pow(std::abs(v), 2.6) < 0.998;
   };
   std::vector<std::vector<int>> grid_faces;
   for (int r = 0; r + 1 < photo.rows; ++r) {
@@ -149,6 +153,35 @@ void keep_oval(const Parameters& parameters, PhantomPhotograph& photo) {
     }
   }
   photo.faces = std::move(grid_faces);
+}
+
+/// Takes the edge off the rim's steps: each rim vertex half way towards the middle of its two rim
+/// neighbours, back on the skin. Once only: more would flatten the rim's triangles.
+void smooth_rim(const HeadModel& head, PhantomPhotograph& photo) {
+  std::map<std::pair<int, int>, int> uses;
+  for (const std::vector<int>& face : photo.faces) {
+    for (std::size_t c = 0; c < face.size(); ++c) {
+      ++uses[std::minmax(face[c], face[(c + 1) % face.size()])];
+    }
+  }
+  std::map<int, std::vector<int>> neighbours;
+  for (const auto& [edge, count] : uses) {
+    if (count == 1) {
+      neighbours[edge.first].push_back(edge.second);
+      neighbours[edge.second].push_back(edge.first);
+    }
+  }
+  const Points before = photo.grid;
+  const auto point = [&](int i) -> Vector3d {
+    return before.row(photo.kept[static_cast<std::size_t>(i)]);
+  };
+  for (const auto& [i, others] : neighbours) {
+    Vector3d p = point(i) / 2 + (point(others.at(0)) + point(others.at(1))) / 4;
+    for (int newton = 0; newton < 3; ++newton) {
+      p -= head.skin(p) * head.skin_normal(p);
+    }
+    photo.grid.row(photo.kept[static_cast<std::size_t>(i)]) = p;
+  }
 }
 
 /// Bilinear position on the grid, column and row in grid units.
@@ -245,6 +278,7 @@ PhantomPhotograph make_phantom_photograph(const HeadModel& head, const PhantomOp
   });
   relax(head, photo, options.threads, progress);
   keep_oval(parameters, photo);
+  smooth_rim(head, photo);
   return photo;
 }
 

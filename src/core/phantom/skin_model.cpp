@@ -18,13 +18,13 @@ double face_mass(const Point& p) {
   double d = ellipsoid(p, {0, -36, -6}, {58, 58, 60});
   d = smooth_union(d, ellipsoid(p, {0, -63, -42}, {33, 36, 34}), 16);
   d = smooth_union(d, ellipsoid(p, {0, -76, -26}, {23, 29, 17}), 12);
-  d = smooth_union(d, ellipsoid(p, {37, -54, -28}, {23, 29, 36}), 24);
+  d = smooth_union(d, ellipsoid(p, {35, -54, -28}, {22, 29, 36}), 24);
   d = smooth_union(d, ellipsoid(p, {46, -62, 0}, {20, 20, 16}), 20);
   d = smooth_union(d, ellipsoid(p, {53, -28, -8}, {14, 42, 34}), 20);
   const double jaw = tube(p, {{{48, -10, -24}, 13},
                               {{44, -16, -54}, 12},
-                              {{36, -40, -64}, 14},
-                              {{20, -66, -71}, 15},
+                              {{34, -40, -64}, 14},
+                              {{18, -66, -71}, 15},
                               {{0, -76, -73}, 16}});
   d = smooth_union(d, jaw, 26);
   d = smooth_union(d, ellipsoid(p, {0, -36, -60}, {36, 44, 20}), 14);
@@ -52,13 +52,26 @@ double nose(const Point& p) {
 double lips(const Point& p) {
   const double upper = tube(p, {{{0, -104.6, -36.8}, 4.8},
                                 {{5, -104.2, -36.0}, 4.8},
-                                {{13, -100.4, -37.8}, 4.4},
-                                {{24.5, -90.5, -41.4}, 2.8}});
+                                {{13, -100.4, -37.8}, 4.3},
+                                {{24.5, -88.5, -41.5}, 1.8}});
   const double lower = tube(p, {{{0, -102.0, -46.6}, 5.6},
                                 {{8, -101.0, -46.4}, 5.4},
-                                {{16, -96.8, -44.8}, 4.4},
-                                {{24.5, -90.2, -42}, 2.8}});
+                                {{16, -96.8, -44.8}, 4.3},
+                                {{24.5, -88.2, -42}, 1.8}});
   return smooth_union(upper, lower, 1.0);
+}
+
+/// How far the open eye lies behind the lids' edges.
+double eye_opening(const Point& p) {
+  const double along = (p.x() - 31.3) / 15.2;
+  if (std::abs(along) >= 1 || p.y() > -60) {
+    return 0;
+  }
+  const double arch = 1 - along * along;
+  const double above = p.z() - 14.4 - along;
+  const double half = (above > 0 ? 5.6 : 5.0) * std::pow(arch, 0.6);
+  const double inside = std::clamp((half - std::abs(above)) / 1.6, 0.0, 1.0);
+  return 0.9 * std::min(1.0, 3 * arch) * inside * inside * (3 - 2 * inside);
 }
 
 double ear(const Point& p) {
@@ -101,6 +114,14 @@ double HeadModel::skin(const Point& point) const {
   d = smooth_union(d, chin(p), 12);
   d -= modelling(p);
   d = smooth_union(d, ellipsoid(p, {31.5, -75.5, 15}, {14.5, 13, 13}), 5);
+  d += eye_opening(p);
+  d += 0.7 * ridge(p,
+                   {{{18, -84, 18}, 0},
+                    {{25, -88, 22.6}, 0},
+                    {{33, -88, 24}, 0},
+                    {{41, -84, 22}, 0},
+                    {{48, -76, 16}, 0}},
+                   1.1);
   d = smooth_union(d, nose(p), 7);
   d = smooth_union(d, lips(p), 8);
   d += 1.5 * (1 - 0.75 * std::min(1.0, p.x() / 25)) *

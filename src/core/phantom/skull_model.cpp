@@ -10,11 +10,12 @@ namespace {
 double maxilla(const Point& p) {
   double d = ellipsoid(p, {0, -58, -4}, {41, 33, 30});
   d = smooth_union(d, ellipsoid(p, {0, -68, -24}, {30, 27, 13}), 8);
-  return d;
+  return smooth_difference(d, ellipsoid(p, {0, -58, -42}, {22, 33, 17}), 5);  // palate's vault
 }
 
 double nasal_bones(const Point& p) {
-  const double bridge = tube(p, {{{0, -84, 31}, 6}, {{2, -91, 19}, 4.2}, {{3.5, -99, 5}, 2.4}});
+  const double bridge =
+      tube(p, {{{0, -84, 31}, 6}, {{0, -91, 19}, 4.6}, {{0, -97.5, 7}, 4}, {{0, -99, 4}, 3}});
   const double side =
       tube(p, {{{6, -83, 28}, 5}, {{9, -86, 12}, 4.5}, {{14, -88, -4}, 4.5}, {{15, -88, -20}, 5}});
   return smooth_union(bridge, side, 7);
@@ -40,7 +41,7 @@ double HeadModel::orbit(const Point& p) const {
   const double size = 1 - 0.8 * depth;
   const Eigen::Vector2d rim(std::abs(q.x()) / (18.5 * size), std::abs(q.z()) / (17.0 * size));
   const double round = std::pow(std::pow(rim.x(), 2.6) + std::pow(rim.y(), 2.6), 1 / 2.6);
-  return std::max((round - 1) * 15 * size, q.y() - 44);
+  return smooth_intersection((round - 1) * 15 * size, q.y() - 39, 10);
 }
 
 double HeadModel::nasal_cavity(const Point& p) const {
@@ -99,12 +100,13 @@ double HeadModel::midface(const Point& p) const {
   return smooth_difference(d, ellipsoid(p, {33, -93, -18}, {11, 10, 11}), 8);  // canine fossa
 }
 
-double HeadModel::brain(const Point& p) const {
-  const double floor = p.y() < -40 ? 31.0
-                       : p.y() < 8 ? 31 - (p.y() + 40) * 0.5
-                                   : 7 - (p.y() - 8) * 1.5;
-  const double base = std::max(floor, -14.0) - p.z();
-  return smooth_intersection(cranium_outer(p) + 6.5, base, 8);
+double HeadModel::brain(const Point& point) const {
+  const Point p(std::abs(point.x()), point.y(), point.z());
+  const double cerebrum = std::min(37.0, 34 - (p.y() + 40) * 0.3) - p.z();
+  const double temporal_lobe = ellipsoid(p, {35, -12, 22}, {22, 29, 19});
+  const double cerebellum = ellipsoid(p, {18, 42, 6}, {32, 36, 24});
+  const double whole = smooth_union(smooth_union(cerebrum, temporal_lobe, 8), cerebellum, 8);
+  return smooth_intersection(cranium_outer(p) + 6.5, whole, 8);
 }
 
 double HeadModel::airway(const Point& point) const {
@@ -130,7 +132,8 @@ double HeadModel::spine(const Point& p) const {
   const double z = -44 + level * step;
   const double y = 16 - (z + 44) * 0.18;
   const Point q(std::abs(p.x()), p.y() - y, p.z() - z);
-  const double body = rounded_box(Point(q.x(), q.y(), q.z()), {11, 8.5, 7.4}, 3);
+  const double waist = 0.9 * std::max(0.0, 1 - q.z() * q.z() / 49);
+  const double body = rounded_box(q, {11.5, 9, 7.4}, 4.5) + waist;
   double arch =
       tube(q, {{{10, 4, 0}, 3}, {{18, 8, 0}, 4}, {{11, 22, -1}, 3.2}, {{0, 27, -2}, 3.4}});
   arch = smooth_union(arch, tube(q, {{{0, 27, -2}, 3}, {{0, 42, -7}, 3.4}}), 3);

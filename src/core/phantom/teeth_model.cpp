@@ -139,7 +139,7 @@ double HeadModel::row(const Point& p, const std::vector<Tooth>& teeth) const {
 
 double HeadModel::alveolar_process(const Point& p, bool upper) const {
   return upper ? alveolar(p, upper_ridge, upper_edge + 9.5, -18, 9)
-               : alveolar(p, lower_ridge, -76, lower_edge - 9.5, 8.5);
+               : alveolar(p, lower_ridge, -73, lower_edge - 9.5, 8.5);
 }
 
 double HeadModel::teeth(const Point& p) const {

@@ -38,7 +38,7 @@ struct PaddedBlock {
   Eigen::Vector3d first;  ///< ijk of the image's origin
 };
 
-/// Rows of voxels that reach the level decide what is copied: (first, last) along each axis.
+/// First and last index along each axis of the voxels that reach the level; last < first: none do.
 std::pair<Eigen::Array3i, Eigen::Array3i> occupied(const CtVolume& volume, double hu) {
   Eigen::Array3i low = volume.dims().array(), high = Eigen::Array3i::Constant(-1);
   for (int k = 0; k < volume.dims().z(); ++k) {
@@ -57,9 +57,11 @@ std::pair<Eigen::Array3i, Eigen::Array3i> occupied(const CtVolume& volume, doubl
   return {low, high};
 }
 
-void fill_block(const CtVolume& volume, double hu, const HeadMask* head, PaddedBlock& block) {
+/// False when nothing reaches the level.
+bool fill_block(const CtVolume& volume, double hu, const HeadMask* head, PaddedBlock& block) {
   const auto [low, high] = occupied(volume, hu);
-  const Eigen::Array3i size = (high - low + 3).max(0);
+  if ((high < low).any()) return false;
+  const Eigen::Array3i size = high - low + 3;
   block.first = (low - 1).cast<double>();
   block.image->SetDimensions(size.x(), size.y(), size.z());
   block.image->AllocateScalars(VTK_SHORT, 1);
@@ -79,11 +81,12 @@ void fill_block(const CtVolume& volume, double hu, const HeadMask* head, PaddedB
       }
     }
   }
+  return true;
 }
 
 TriangleMesh contour(const CtVolume& volume, double hu, const HeadMask* head) {
   PaddedBlock block;
-  fill_block(volume, hu, head, block);
+  if (!fill_block(volume, hu, head, block)) return {};
   vtkNew<vtkFlyingEdges3D> edges;
   edges->SetInputData(block.image);
   // Half way between two whole HU no voxel equals the level, which would make triangles without

@@ -50,21 +50,28 @@ void drop_support(const HeadMask& head, SkinField& field) {
   }
 }
 
+/// Whether the flood of outer air may begin here: at the grid's border, or along the volume's
+/// twelve edges. Not on its faces, which the neck and its airway may cross.
+bool is_outermost(const CtVolume& volume, const VoxelGrid& grid, const Eigen::Vector3i& p) {
+  if ((p.array() == 0).any() || (p.array() == grid.dims.array() - 1).any()) return true;
+  const Eigen::Array3d ijk = volume.ijk(grid.lps(p.cast<double>())).array();
+  const Eigen::Array3d last = (volume.dims().array() - 1).cast<double>();
+  const Eigen::Array3d near = 1.01 * grid.step / volume.steps().array();
+  return (ijk < near || ijk > last - near).count() >= 2;
+}
+
 /// Air that a ball of `radius` voxels can reach from around the head. Beyond the volume there is no
 /// way: an airway that is cut where the scan ends would lead inside.
-Mask outer_air(const SkinField& field, double level, int radius) {
+Mask outer_air(const CtVolume& volume, const SkinField& field, double level, int radius) {
   const VoxelGrid& grid = field.grid;
   Mask body(field.hu.size());
   for (std::size_t i = 0; i < body.size(); ++i) body[i] = field.hu[i] >= level;
   const Mask distance = squared_distances(body, grid, radius);
   Mask room(body.size());
   std::vector<std::size_t> seeds;
-  const Eigen::Array3i last = grid.dims.array() - 1;
   for (std::size_t i = 0; i < room.size(); ++i) {
     room[i] = distance[i] > radius * radius && field.hu[i] > not_scanned;
-    if (!room[i]) continue;
-    const Eigen::Array3i p = grid.at(i).array();
-    if ((p == 0).any() || (p == last).any()) seeds.push_back(i);
+    if (room[i] && is_outermost(volume, grid, grid.at(i))) seeds.push_back(i);
   }
   flood(room, grid, 1, 2, seeds);
   for (auto& r : room) r = r == 2;
@@ -200,7 +207,7 @@ TriangleMesh skin_surface(const CtVolume& volume, const SkinSurfaceOptions& opti
     field.edited.assign(field.hu.size(), 0);
     if (options.remove_support) drop_support(head, field);
     progress.check();
-    fill_inside(outer_air(field, options.hu, closing), options.hu, field);
+    fill_inside(outer_air(part, field, options.hu, closing), options.hu, field);
     smooth_edited(options.hu, field);
     const auto level = static_cast<float>(options.hu);
     make_well_composed(field.hu, field.grid, level);

@@ -16,7 +16,7 @@ void write_calculix_deck(const TetMesh& mesh, const ElasticMaterial& material,
   std::vector<bool> used(supports.size(), false);
   for (const int node : mesh.tets.reshaped()) used[node] = true;
   std::ostringstream out;
-  out.precision(17);
+  out.precision(13);  // ccx reads numbers of at most 20 characters
   out << "*NODE, NSET=ALL\n";
   for (Eigen::Index i = 0; i < mesh.vertices.rows(); ++i) {
     if (!used[i]) continue;

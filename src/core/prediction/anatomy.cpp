@@ -41,26 +41,14 @@ Anatomy build_anatomy(const SurgicalCase& plan, Progress& progress) {
     const auto stage = progress.stage("read photograph");
     face = photograph_face(*plan.photograph);
   }
-  const CtVolume ct = [&] {
-    const auto stage = progress.stage("read CT");
-    return read_ct(plan.ct.path, plan.ct.series_uid, progress);
-  }();
+  const CtVolume ct = read_ct(plan.ct.path, plan.ct.series_uid, progress);
   // Skin and bone do not depend on each other. The future's destructor waits for its thread.
   std::future<TriangleMesh> skin;
   if (!face) {
-    skin = std::async(std::launch::async, [&] {
-      const auto stage = progress.stage("skin surface (beside bone)");
-      return skin_surface(ct, plan.skin, progress);
-    });
+    skin = std::async(std::launch::async, [&] { return skin_surface(ct, plan.skin, progress); });
   }
-  TriangleMesh bone = [&] {
-    const auto stage = progress.stage("bone surface");
-    return bone_surface(ct, plan.bone, progress);
-  }();
-  SegmentResult cut = [&] {
-    const auto stage = progress.stage("cut segment");
-    return cut_segment(bone, plan.cut, {}, progress);
-  }();
+  TriangleMesh bone = bone_surface(ct, plan.bone, progress);
+  SegmentResult cut = cut_segment(bone, plan.cut, {}, progress);
   if (!face) face = skin_face(skin.get());
   const Eigen::Vector3d pivot = plan.pivot.value_or(centre_of_volume(cut.segment));
   return {std::move(bone), std::move(cut), std::move(*face), pivot};

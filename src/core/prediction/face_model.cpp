@@ -75,16 +75,21 @@ std::vector<int> forced_points(const TissueProblem& problem) {
 /// Meshes the tissue and finds the bone below it. A region with folds deeper than the default depth
 /// needs directions smoothed over more than that: each further try doubles the smoothing.
 void mesh_tissue(const BspTree& segment, const BspTree& skull, const TissueModel& model,
-                 TissueProblem& problem) {
+                 TissueProblem& problem, Progress& progress) {
   BoneBelowOptions options;
   options.threshold = model.bone_reach_mm;
   options.default_depth = model.depth_mm;
   constexpr int kTries = 3;
   double length = model.depth_mm;
   for (int attempt = 1;; ++attempt, length *= std::sqrt(2.0)) {
-    const Points directions = offset_directions(problem.region, length);
-    BoneBelow below =
-        bone_below(problem.region, directions, segment, skull, problem.links, options);
+    Points directions;
+    BoneBelow below;
+    {
+      const auto stage = progress.stage("bone below the face");
+      directions = offset_directions(problem.region, length);
+      below = bone_below(problem.region, directions, segment, skull, problem.links, options);
+    }
+    const auto stage = progress.stage("ST Generator");
     problem.bone_below = std::move(below.bone);
     if (model.generator == Generator::paper) {
       problem.tissue = st_generator_paper(problem.region, model.depth_mm);
@@ -93,18 +98,20 @@ void mesh_tissue(const BspTree& segment, const BspTree& skull, const TissueModel
     }
     try {
       problem.tissue = st_generator(problem.region, directions, below.depth);
-      // Tissue that had to be made thinner does not reach its bone.
-      for (Eigen::Index v = 0; v < below.depth.size(); ++v) {
-        if (problem.tissue.depth[v] < 0.9 * below.depth[v]) {
-          problem.bone_below[v] = Underlying::none;
-        }
-      }
-      return;
     } catch (const Error&) {
       if (attempt == kTries) throw;
+      continue;
     }
+    // Tissue that had to be made thinner does not reach its bone.
+    for (Eigen::Index v = 0; v < below.depth.size(); ++v) {
+      if (problem.tissue.depth[v] < 0.9 * below.depth[v]) problem.bone_below[v] = Underlying::none;
+    }
+    return;
   }
 }
+
+/// mm: a fixed rim nearer to the moving bone than this holds the face back where it should move.
+constexpr double kNearRim = 15;
 
 double rim_distance(const IntermediateMesh& region, const BspTree& segment) {
   double least = 1e3;
@@ -122,11 +129,20 @@ double rim_distance(const IntermediateMesh& region, const BspTree& segment) {
 TissueProblem build_tissue(const Anatomy& anatomy, const RegionChoice& choice,
                            const TissueModel& model, Progress& progress) {
   TissueProblem problem;
-  const BspTree segment(anatomy.cut.segment);
+  const auto [segment, skull] = [&] {
+    const auto stage = progress.stage("search trees");
+    return std::pair(BspTree(anatomy.cut.segment), BspTree(anatomy.cut.remainder));
+  }();
   {
     const auto stage = progress.stage("region");
     problem.region = choose_region(anatomy.face.mesh.surface, choice, segment);
     problem.rim_to_segment = rim_distance(problem.region, segment);
+    if (problem.rim_to_segment < kNearRim) {
+      progress.notice("the fixed rim of the region comes within " +
+                      std::to_string(std::lround(problem.rim_to_segment)) +
+                      " mm of the moving bone, so the face is held back there; a larger region or "
+                      "a photograph that reaches farther would be better");
+    }
   }
   {
     const auto stage = progress.stage("bone map");
@@ -135,9 +151,7 @@ TissueProblem build_tissue(const Anatomy& anatomy, const RegionChoice& choice,
         bone_map(anatomy.cut.segment, segment, problem.region, skin, model.bone_reach_mm);
     problem.forced = forced_points(problem);
   }
-  const auto stage = progress.stage("ST Generator");
-  const BspTree skull(anatomy.cut.remainder);
-  mesh_tissue(segment, skull, model, problem);
+  mesh_tissue(segment, skull, model, problem, progress);
   set_supports(model, segment, skull, problem);
   require_driven(model.load, problem);
   return problem;

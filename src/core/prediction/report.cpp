@@ -12,32 +12,6 @@ namespace {
 
 using nlohmann::json;
 
-LandmarkResponse respond(const Eigen::Vector3d& landmark, const TriangleMesh& face,
-                         const BspTree& face_tree, const Points& displacements,
-                         const RigidMotion& motion) {
-  LandmarkResponse response;
-  const auto nearest = face_tree.nearest(landmark, 1e6);
-  if (!nearest) return response;
-  response.skin_gap = nearest->distance;
-  // Barycentric weights of the nearest point from its areas.
-  const auto t = face.triangles.row(nearest->triangle);
-  Eigen::Matrix3d corners;
-  for (int k = 0; k < 3; ++k) corners.col(k) = face.vertices.row(t[k]);
-  const Eigen::Vector3d n =
-      (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0));
-  for (int k = 0; k < 3; ++k) {
-    const Eigen::Vector3d a = corners.col((k + 1) % 3), b = corners.col((k + 2) % 3);
-    const double weight = (a - nearest->point).cross(b - nearest->point).dot(n) / n.squaredNorm();
-    response.displacement += weight * displacements.row(t[k]).transpose();
-  }
-  const Eigen::Vector3d bone = motion(nearest->point) - nearest->point;
-  response.bone_mm = bone.norm();
-  if (response.bone_mm > 0) {
-    response.ratio = response.displacement.dot(bone) / bone.squaredNorm();
-  }
-  return response;
-}
-
 json statistics_json(const DistanceStatistics& s) {
   return {{"count", s.count}, {"mean", s.mean}, {"p90", s.p90}, {"p95", s.p95}, {"max", s.max}};
 }
@@ -146,12 +120,8 @@ Prediction make_prediction(const SurgicalCase& plan, const Anatomy& anatomy, con
   prediction.signed_distance = Eigen::VectorXd::Zero(face.vertices.rows());
   prediction.signed_distance(moving) =
       signed_distances(prediction.face_points(moving, Eigen::all), face);
-  if (!plan.landmarks.empty()) {
-    const BspTree face_tree(face);
-    for (const auto& [name, place] : plan.landmarks) {
-      prediction.landmarks[name] = respond(place, face, face_tree, u, prediction.motion);
-    }
-  }
+  prediction.landmarks =
+      FaceLandmarks(plan.landmarks, face).responses(prediction.face_points, prediction.motion);
   return prediction;
 }
 

@@ -5,16 +5,9 @@
 #include "base/progress.h"
 #include "geometry/surface_distance.h"
 #include "prediction/face_model.h"
+#include "prediction/landmarks.h"
 
 namespace gnathion {
-
-/// How a point of the face follows the bone.
-struct LandmarkResponse {
-  Eigen::Vector3d displacement = Eigen::Vector3d::Zero();  ///< mm, LPS, of the nearest skin point
-  double skin_gap = 0;  ///< mm from the landmark as given to that point
-  double bone_mm = 0;   ///< how far bone fixed to the segment would move there
-  double ratio = 0;     ///< displacement along the bone's, over bone_mm; 0 without motion
-};
 
 /// A prediction and what can be said of it.
 struct Prediction {

@@ -1,0 +1,314 @@
+// Prints the figures of docs/evidence.md as Markdown tables: `./run evidence`.
+//   gnathion-evidence [CASE.json …]    the cases, e.g. the embedded one and the real CT
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "bench/ray_trees.h"
+#include "fem/response_basis.h"
+#include "geometry/tet_quality.h"
+#include "io/calculix.h"
+#include "io/case_file.h"
+#include "prediction/report.h"
+#include "support/face_patch.h"
+#include "tissue/bone_map.h"
+#include "tissue/st_generator.h"
+
+namespace {
+
+using namespace gnathion;
+namespace fs = std::filesystem;
+using testing::whole_region;
+
+double seconds(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double median_seconds(int runs, const std::function<void()>& work) {
+  std::vector<double> times;
+  for (int run = 0; run < runs; ++run) times.push_back(seconds(work));
+  std::nth_element(times.begin(), times.begin() + runs / 2, times.end());
+  return times[static_cast<std::size_t>(runs / 2)];
+}
+
+std::string ms(double s) {
+  char text[32];
+  std::snprintf(text, sizeof text, s < 1e-3 ? "%.3f" : s < 0.1 ? "%.1f" : "%.0f", s * 1e3);
+  return text;
+}
+
+void heading(const std::string& text) {
+  std::cout << "\n### " << text << "\n\n";
+}
+
+void print_element_counts() {
+  heading("Element counts (paper, Table 1)");
+  std::cout << "| patch | V | F | tets, paper's mode | tets, robust mode | paper |\n"
+               "|---|---|---|---|---|---|\n";
+  const auto row = [](const char* name, const TriangleMesh& mesh, int expected) {
+    const IntermediateMesh region = whole_region(mesh);
+    const Eigen::VectorXd depth = Eigen::VectorXd::Constant(mesh.vertices.rows(), 5);
+    std::cout << "| " << name << " | " << mesh.vertices.rows() << " | " << mesh.triangles.rows()
+              << " | " << st_generator_paper(region, 5).mesh.tets.rows() << " | "
+              << st_generator(region, offset_directions(region, 5), depth).mesh.tets.rows() << " | "
+              << expected << " |\n";
+  };
+  row("p1", testing::patch_p1(), 22841);
+  row("p2", testing::patch_p2(), 50911);
+}
+
+void print_hard_patches() {
+  heading("Inverted tets on hard patches (edge 2.2 mm, depth 5 mm, 12 of each kind)");
+  std::cout
+      << "| kind | paper's mode: clean patches | inverted tets | robust mode: clean patches | "
+         "inverted tets | mean depth kept |\n|---|---|---|---|---|---|\n";
+  const char* names[] = {"nose", "lips", "groove", "random"};
+  for (int kind = 0; kind < 4; ++kind) {
+    int clean_paper = 0, clean_robust = 0;
+    long inverted_paper = 0, inverted_robust = 0, tets = 0;
+    double depth = 0;
+    for (unsigned seed = 0; seed < 12; ++seed) {
+      const IntermediateMesh region = whole_region(testing::hard_patch(kind, seed));
+      const TetQuality paper = tet_quality(st_generator_paper(region, 5).mesh);
+      const SoftTissueMesh tissue =
+          st_generator(region, offset_directions(region, 5),
+                       Eigen::VectorXd::Constant(region.mesh.vertices.rows(), 5));
+      const TetQuality robust = tet_quality(tissue.mesh);
+      clean_paper += paper.inverted == 0;
+      clean_robust += robust.inverted == 0;
+      inverted_paper += paper.inverted;
+      inverted_robust += robust.inverted;
+      tets += paper.count;
+      depth += tissue.depth.mean() / 12;
+    }
+    std::cout << "| " << names[kind] << " | " << clean_paper << " of 12 | "
+              << 100.0 * double(inverted_paper) / double(tets) << " % | " << clean_robust
+              << " of 12 | " << inverted_robust << " | " << depth << " of 5 mm |\n";
+  }
+}
+
+/// A Table 1 patch with its rim fixed and the inner points below the chin attached to a bone.
+struct Problem {
+  IntermediateMesh region;
+  Points directions;
+  SoftTissueMesh tissue;
+  Supports supports;
+  Eigen::Vector3d centre;
+};
+
+Problem chin_problem(const TriangleMesh& mesh) {
+  Problem p{whole_region(mesh), {}, {}, {}, {}};
+  p.directions = offset_directions(p.region, 5);
+  p.tissue =
+      st_generator(p.region, p.directions, Eigen::VectorXd::Constant(mesh.vertices.rows(), 5));
+  p.supports.assign(static_cast<std::size_t>(p.tissue.mesh.vertices.rows()), Support::free);
+  const Eigen::RowVector3d middle = mesh.vertices.colwise().mean();
+  p.centre = middle.transpose();
+  for (int v = 0; v < p.tissue.surface_count; ++v) {
+    const Eigen::RowVector3d x = mesh.vertices.row(v) - middle;
+    if (p.region.rim[v]) {
+      p.supports[v] = p.supports[p.tissue.inner(v)] = Support::fixed;
+    } else if (std::hypot(x[0] / 25, (x[1] + 18) / 15) < 1) {
+      p.supports[p.tissue.inner(v)] = Support::attached;
+    }
+  }
+  return p;
+}
+
+struct PatchTimes {
+  double st, assemble, factor, solve, total, basis, frame, ccx;
+  double basis_error, ccx_error;
+};
+
+/// Runs ccx on the problem; negative seconds where it is not installed.
+double run_calculix(const Problem& p, const Points& prescribed, Points& u) {
+  const fs::path folder = fs::temp_directory_path() / "gnathion-evidence-ccx";
+  fs::create_directories(folder);
+  write_calculix_deck(p.tissue.mesh, {}, p.supports, prescribed, folder / "patch.inp");
+  const std::string command =
+      "cd '" + folder.string() + "' && OMP_NUM_THREADS=1 ccx patch > ccx.log 2>&1";
+  int status = 0;
+  const double time = seconds([&] { status = std::system(command.c_str()); });
+  if (status != 0) return -1;
+  u = read_calculix_displacements(folder / "patch.dat", p.tissue.mesh.vertices.rows());
+  fs::remove_all(folder);
+  return time;
+}
+
+PatchTimes measure_patch(const TriangleMesh& mesh) {
+  const Problem p = chin_problem(mesh);
+  const Points& x = p.tissue.mesh.vertices;
+  const Points none = Points::Zero(x.rows(), 3);
+  RigidMotion motion;
+  motion.rotation = Eigen::AngleAxisd(0.05, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  motion.translation = p.centre - motion.rotation * p.centre + Eigen::Vector3d(0, 0, 5);
+  const Points prescribed = moved(x, motion) - x;
+  PatchTimes t{};
+  const Eigen::VectorXd depth = Eigen::VectorXd::Constant(p.tissue.surface_count, 5);
+  t.st = median_seconds(15, [&] { st_generator(p.region, p.directions, depth); });
+  std::vector<double> assemble, factor, solve, total;
+  StaticSolution direct;
+  for (int run = 0; run < 5; ++run) {
+    Progress progress;
+    total.push_back(seconds([&] {
+      const StaticSolver solver(p.tissue.mesh, {}, p.supports, progress);
+      solve.push_back(seconds([&] { direct = solver.solve(prescribed, none); }));
+    }));
+    for (const StageTime& stage : progress.stage_times()) {
+      (stage.name == "factorise" ? factor : assemble).push_back(stage.seconds);
+    }
+  }
+  const auto median = [](std::vector<double> v) {
+    std::sort(v.begin(), v.end());
+    return v[v.size() / 2];
+  };
+  t.assemble = median(assemble);
+  t.factor = median(factor);
+  t.solve = median(solve);
+  t.total = median(total);
+  Progress progress;
+  const StaticSolver solver(p.tissue.mesh, {}, p.supports, progress);
+  ResponseBasis basis;
+  t.basis = median_seconds(3, [&] { basis = response_basis(solver, x, p.centre); });
+  const ResponseBasis surface(basis.columns().topRows(3 * p.tissue.surface_count), p.centre);
+  Points u;
+  surface.displacements(motion, u);
+  t.frame = median_seconds(2001, [&] { surface.displacements(motion, u); });
+  basis.displacements(motion, u);
+  t.basis_error = (u - direct.displacements).norm() / direct.displacements.norm();
+  Points by_ccx;
+  t.ccx = run_calculix(p, prescribed, by_ccx);
+  if (t.ccx > 0) {
+    t.ccx_error = (by_ccx - direct.displacements).cwiseAbs().maxCoeff() /
+                  direct.displacements.cwiseAbs().maxCoeff();
+  }
+  return t;
+}
+
+void print_patch_times() {
+  heading("Time per stage on patches of the paper's sizes (milliseconds, medians)");
+  const PatchTimes a = measure_patch(testing::patch_p1()), b = measure_patch(testing::patch_p2());
+  std::cout << "| stage | p1 | p2 | prototype p1 / p2 | goal |\n|---|---|---|---|---|\n";
+  const auto row = [&](const char* name, double PatchTimes::*m, const char* prototype,
+                       const char* goal) {
+    std::cout << "| " << name << " | " << ms(a.*m) << " | " << ms(b.*m) << " | " << prototype
+              << " | " << goal << " |\n";
+  };
+  row("ST Generator, robust", &PatchTimes::st, "1.3 / 2.3", "5");
+  row("assembly", &PatchTimes::assemble, "30 / 70", "");
+  row("ordering + factor", &PatchTimes::factor, "80 / 210 (factor alone)", "");
+  row("one solve, checked", &PatchTimes::solve, "6 / 16 (unchecked)", "");
+  row("mesh → displacement", &PatchTimes::total, "250 / 580", "300 / 700");
+  row("response basis (12 solves)", &PatchTimes::basis, "", "");
+  row("drag frame, surface vertices", &PatchTimes::frame, "0.009 / 0.056", "0.020 / 0.100");
+  row("CalculiX, whole program", &PatchTimes::ccx, "750 / 1900", "");
+  std::cout << "\nCalculiX / mesh → displacement: " << a.ccx / a.total << " (p1), "
+            << b.ccx / b.total << " (p2).\n"
+            << "Largest difference from CalculiX relative to the largest displacement: "
+            << a.ccx_error << " (p1), " << b.ccx_error << " (p2).\n"
+            << "Response basis against direct solve, relative: " << a.basis_error << " (p1), "
+            << b.basis_error << " (p2).\n";
+}
+
+/// Rays of a bone map: from a surface 5 mm below the patch, along its normals.
+void print_ray_trees() {
+  heading("Trees for the bone map");
+  const TriangleMesh skin = testing::patch_p2();
+  const Points normals = vertex_normals(skin);
+  std::vector<bench::Ray> rays;
+  for (Eigen::Index v = 0; v < skin.vertices.rows(); ++v) {
+    const Eigen::Vector3d n = normals.row(v);
+    // Also slightly turned rays, so that not all aim at vertices.
+    for (const double tilt : {0.0, 0.03, -0.07, 0.11}) {
+      const Eigen::Vector3d direction = (n + tilt * Eigen::Vector3d(0.6, 0.8, 0)).normalized();
+      rays.push_back({skin.vertices.row(v).transpose() - 5 * direction, direction});
+    }
+  }
+  std::cout << rays.size() << " rays, a quarter of them aimed exactly at vertices, against "
+            << skin.triangles.rows() << " triangles. Hits differ when one tree finds none or "
+            << "another distance by more than 1e-6 mm.\n\n"
+            << "| tree | build, ms | rays/s | aimed at vertices: lost | other rays: differ from ours "
+               "|\n|---|---|---|---|---|\n";
+  bench::Hits reference;
+  for (const auto& tree : bench::ray_trees()) {
+    const double build = seconds([&] { tree->build(skin); });
+    bench::Hits hits;
+    const double ask = median_seconds(3, [&] { hits = tree->ask(rays, 20); });
+    if (reference.triangle.empty()) reference = hits;
+    long lost = 0, different = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      if (i % 4 == 0) {
+        lost += hits.triangle[i] == -1;
+      } else {
+        different += (hits.triangle[i] == -1) != (reference.triangle[i] == -1) ||
+                     std::abs(hits.distance[i] - reference.distance[i]) > 1e-6;
+      }
+    }
+    std::cout << "| " << tree->name() << " | " << ms(build) << " | "
+              << static_cast<long>(static_cast<double>(rays.size()) / ask) << " | " << lost
+              << " | " << different << " |\n";
+  }
+}
+
+void print_case(const std::string& path) {
+  SurgicalCase plan = read_case_file(path);
+  heading("Case: " + plan.name);
+  Progress progress;
+  const Anatomy anatomy = build_anatomy(plan, progress);
+  const FaceModel model(anatomy, plan.region, plan.tissue, progress);
+  const Prediction prediction = make_prediction(plan, anatomy, model, progress);
+  const TetQuality quality = tet_quality(model.problem().tissue.mesh);
+  std::cout << quality.count << " tets, inverted " << quality.inverted << "; smallest dihedral "
+            << quality.smallest_dihedral << "°, median aspect " << quality.median_aspect
+            << "; segment " << anatomy.cut.volume_mm3 / 1000 << " ml; residual "
+            << prediction.relative_residual << "; basis against direct solve "
+            << prediction.basis_error << "; tets inverted by the motion "
+            << prediction.inverted_after << ".\n\n| stage | seconds |\n|---|---|\n";
+  for (const StageTime& stage : progress.stage_times()) {
+    std::cout << "| " << stage.name << " | " << stage.seconds << " |\n";
+  }
+  Points face;
+  const double frame = median_seconds(501, [&] { model.predict(prediction.motion, face); });
+  std::cout << "| one drag frame, all " << face.rows() << " face vertices | " << frame << " |\n";
+  if (plan.landmarks.empty()) return;
+  std::cout << "\nMotion along the bone's, over the bone's, for the released margin "
+               "(tissue.released_mm) of\n\n| landmark | 0 mm | 5 mm | 10 mm | 15 mm "
+               "|\n|---|---|---|---|---|\n";
+  std::map<std::string, std::string> rows;
+  for (const double released : {0.0, 5.0, 10.0, 15.0}) {
+    plan.tissue.released_mm = released;
+    Progress quiet;
+    const FaceModel variant(anatomy, plan.region, plan.tissue, quiet);
+    for (const auto& [name, r] : make_prediction(plan, anatomy, variant, quiet).landmarks) {
+      char text[16];
+      std::snprintf(text, sizeof text, " %.2f |", r.ratio);
+      rows[name] += text;
+    }
+  }
+  for (const auto& [name, row] : rows) std::cout << "| " << name << " |" << row << "\n";
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    std::cout.precision(3);
+    print_element_counts();
+    print_hard_patches();
+    print_patch_times();
+    print_ray_trees();
+    for (int i = 1; i < argc; ++i) print_case(argv[i]);
+    return 0;
+  } catch (const std::exception& error) {
+    std::cerr << "gnathion-evidence: " << error.what() << '\n';
+    return 1;
+  }
+}

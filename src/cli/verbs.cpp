@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "demo/demo_case.h"
 #include "imaging/dicom_series.h"
 #include "io/calculix.h"
 #include "io/case_file.h"
 #include "io/files.h"
 #include "io/mesh_files.h"
 #include "offscreen/comparison_pictures.h"
-#include "phantom/head_phantom.h"
 #include "prediction/report.h"
 #include "render/face_scene.h"
 
@@ -77,25 +77,8 @@ void list_series_verb(const fs::path& folder, std::ostream& out, Progress& progr
 }
 
 void demo_case_verb(unsigned seed, const fs::path& target, std::ostream& out, Progress& progress) {
-  NewFolder folder(target);
-  PhantomOptions options;
-  options.seed = seed;
-  const auto stage = progress.stage("default case");
-  const PhantomTruth truth = write_phantom_case(folder.path(), options, progress);
-  SurgicalCase plan;
-  plan.name = "embedded default case";
-  plan.ct.path = folder.path() / "ct";
-  plan.photograph =
-      PhotographSource{folder.path() / "photograph" / "face.obj", truth.lps_from_photograph};
-  plan.cut = box_between(truth.mandible_box_min, truth.mandible_box_max);
-  plan.motion.forward_mm = 6;
-  for (const char* name :
-       {"pogonion_soft", "menton_soft", "mentolabial_fold", "lower_lip", "stomion", "upper_lip",
-        "mouth_corner_left", "mouth_corner_right", "subnasale", "nose_tip"}) {
-    plan.landmarks[name] = truth.landmarks.at(name);
-  }
-  write_case_file(plan, folder.path() / "case.json");
-  publish(folder, target, out);
+  write_demo_case(seed, target, progress);
+  print_files(target, out);
 }
 
 void check_verb(const fs::path& case_file, std::ostream& out) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <span>
+#include <vector>
 
 /// Signed distance functions: negative inside, mm, about the Euclidean distance near the surface.
 /// All take points in LPS mm unless the name of the parameter says otherwise.
@@ -76,6 +77,11 @@ inline double tube(const Point& p, std::initializer_list<Knot> knots) {
   return tube(p, std::span<const Knot>(knots.begin(), knots.size()));
 }
 
+/// The knots of a smooth curve (Catmull and Rom's) through the inner knots, `pieces` straight
+/// pieces for each gap. The first and last knot are not reached: they only give the direction at
+/// the ends.
+std::vector<Knot> rounded(std::span<const Knot> knots, int pieces);
+
 /// The height of a smooth bump (1 at the centre, standard deviations `sigma`); subtracting a
 /// multiple of it from a distance raises the surface there, as a sculptor's thumb of clay.
 inline double bump(const Point& p, const Point& centre, const Point& sigma) {
@@ -83,10 +89,13 @@ inline double bump(const Point& p, const Point& centre, const Point& sigma) {
   return e > 40 ? 0.0 : std::exp(-0.5 * e);
 }
 
-/// A bump along a path of zero radius knots.
-inline double ridge(const Point& p, std::initializer_list<Knot> knots, double sigma) {
+/// A bump along a path of knots of radius 0.
+inline double ridge(const Point& p, std::span<const Knot> knots, double sigma) {
   const double d = tube(p, knots) / sigma;
   return d > 6 ? 0.0 : std::exp(-0.5 * d * d);
+}
+inline double ridge(const Point& p, std::initializer_list<Knot> knots, double sigma) {
+  return ridge(p, std::span<const Knot>(knots.begin(), knots.size()), sigma);
 }
 
 /// `p` turned about the axis (0 = x, 1 = y, 2 = z) by `degrees`, right-handed.

@@ -60,7 +60,7 @@ Vector3d FacePaint::skin_tone(const Vector3d& p) const {
   const double blotch = lattice_noise(p.x() / 9, p.y() / 9, p.z() / 9, seed_) - 0.5;
   const double pore = lattice_noise(p.x() / 0.9, p.y() / 0.9, p.z() / 0.9, seed_ + 1) - 0.5;
   c *= 1 + 0.05 * blotch + 0.05 * pore;
-  const double red = 0.55 * distance::bump(q, {40, -80, -14}, {15, 25, 13}) +
+  const double red = 0.45 * distance::bump(q, {40, -80, -14}, {15, 25, 13}) +
                      0.5 * distance::bump(q, {0, -122, -14}, {12, 14, 9}) +
                      0.25 * distance::bump(q, {0, -100, -74}, {14, 14, 10});
   lay_over(c, {0.80, 0.49, 0.43}, red * (0.75 + 0.5 * blotch));
@@ -150,7 +150,10 @@ void FacePaint::paint_hair(const Vector3d& p, Vector3d& colour) const {
                                     {95, -38}});
   const double side =
       step(-46, -38, p.y() + 0.6 * ragged) * step(-3, 5, p.z() - nape + 0.6 * ragged);
-  const double strand = lattice_noise(p.x() * 0.9, p.y() * 0.25, p.z() * 0.3, seed_ + 7);
+  const double around = 70 * std::atan2(p.x(), -p.y());
+  const double upright = lattice_noise(around * 0.9, 0, p.z() * 0.16, seed_ + 7);
+  const double lengthwise = lattice_noise(p.x() * 0.9, 0, p.y() * 0.16, seed_ + 7);
+  const double strand = upright + step(70, 100, p.z()) * (lengthwise - upright);
   const double top = step(-2, 5, p.z() - line + ragged) * step(-30, -42, p.y());
   const double ear = step(-1, 2, x - 67 - 0.2 * p.z()) * step(44, 36, p.z()) *
                      step(-20, -14, p.y()) * step(42, 34, p.y());

@@ -1,3 +1,5 @@
+#include <array>
+
 #include "phantom/head_model.h"
 
 namespace gnathion {
@@ -27,23 +29,27 @@ double condyle(const Point& p) {
 
 /// The thick lower border from angle to chin.
 double base(const Point& p) {
-  double d = tube(p, {{{43.5, -22, -61}, 3.8},
-                      {{38, -40, -66.5}, 4.6},
-                      {{29.5, -57, -71.5}, 5.2},
-                      {{19.5, -70, -75.5}, 5.6},
-                      {{10, -79, -77.3}, 6.0},
-                      {{0, -81.8, -77.5}, 6.2}});
-  d = smooth_union(d, ellipsoid(p, {0, -83.8, -74}, {10, 6, 8}), 6);
-  return smooth_union(d, ellipsoid(p, {11.5, -82, -79}, {6, 5, 5}), 5);
+  static const std::vector<Knot> border = rounded(std::array<Knot, 8>{{{{45, -10, -56}, 3},
+                                                                       {{43.5, -22, -61}, 3.8},
+                                                                       {{38, -40, -66.5}, 4.6},
+                                                                       {{29.5, -57, -71.5}, 5.2},
+                                                                       {{19.5, -68.5, -75.5}, 5.6},
+                                                                       {{10, -77, -77.3}, 6.0},
+                                                                       {{0, -79.6, -77.5}, 6.2},
+                                                                       {{-10, -77, -77.3}, 6.0}}},
+                                                  3);
+  double d = tube(p, border);
+  d = smooth_union(d, ellipsoid(p, {0, -82, -74.5}, {10, 6.5, 8}), 6);
+  return smooth_union(d, ellipsoid(p, {11.5, -80, -79}, {6, 5, 5}), 5);
 }
 
 }  // namespace
 
 double HeadModel::mandible_bone(const Point& p) const {
-  double d = smooth_union(base(p), alveolar_process(p, false), 11);
+  double d = smooth_union(base(p), alveolar_process(p, false), 15);
   const double r = smooth_union(ramus(p), condyle(p), 4);
   d = smooth_union(d, r, 7);
-  return smooth_difference(d, ellipsoid(p, {0, -96.5, -64}, {20, 5, 5}), 5);
+  return smooth_difference(d, ellipsoid(p, {0, -96, -64}, {20, 5, 5}), 5);
 }
 
 double HeadModel::mandible(const Point& point) const {

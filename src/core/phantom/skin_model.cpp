@@ -1,3 +1,5 @@
+#include <array>
+
 #include "phantom/head_model.h"
 
 namespace gnathion {
@@ -21,11 +23,15 @@ double face_mass(const Point& p) {
   d = smooth_union(d, ellipsoid(p, {35, -54, -28}, {22, 29, 36}), 24);
   d = smooth_union(d, ellipsoid(p, {46, -62, 0}, {20, 20, 16}), 20);
   d = smooth_union(d, ellipsoid(p, {53, -28, -8}, {14, 42, 34}), 20);
-  const double jaw = tube(p, {{{48, -10, -24}, 13},
-                              {{44, -16, -54}, 12},
-                              {{34, -40, -64}, 14},
-                              {{18, -66, -71}, 15},
-                              {{0, -76, -73}, 16}});
+  static const std::vector<Knot> jaw_line = rounded(std::array<Knot, 7>{{{{50, -6, 0}, 13},
+                                                                         {{48, -10, -24}, 13},
+                                                                         {{44, -16, -54}, 12},
+                                                                         {{34, -40, -64}, 14},
+                                                                         {{18, -66, -71}, 15},
+                                                                         {{0, -76, -73}, 16},
+                                                                         {{-18, -66, -71}, 15}}},
+                                                    3);
+  const double jaw = tube(p, jaw_line);
   d = smooth_union(d, jaw, 26);
   d = smooth_union(d, ellipsoid(p, {0, -36, -60}, {36, 44, 20}), 14);
   return d;
@@ -50,15 +56,34 @@ double nose(const Point& p) {
 }
 
 double lips(const Point& p) {
-  const double upper = tube(p, {{{0, -104.6, -36.8}, 4.8},
-                                {{5, -104.2, -36.0}, 4.8},
-                                {{13, -100.4, -37.8}, 4.3},
-                                {{24.5, -88.5, -41.5}, 1.8}});
-  const double lower = tube(p, {{{0, -102.0, -46.6}, 5.6},
-                                {{8, -101.0, -46.4}, 5.4},
-                                {{16, -96.8, -44.8}, 4.3},
-                                {{24.5, -88.2, -42}, 1.8}});
-  return smooth_union(upper, lower, 1.0);
+  static const std::vector<Knot> upper = rounded(std::array<Knot, 6>{{{{-5, -104.2, -36.0}, 4.8},
+                                                                      {{0, -104.6, -36.7}, 4.8},
+                                                                      {{5, -104.2, -36.0}, 4.8},
+                                                                      {{13, -100.4, -37.8}, 4.3},
+                                                                      {{24.5, -88.5, -41.5}, 1.8},
+                                                                      {{34, -76, -43}, 1}}},
+                                                 4);
+  static const std::vector<Knot> lower = rounded(std::array<Knot, 6>{{{{-8, -101.0, -46.4}, 5.4},
+                                                                      {{0, -102.0, -46.6}, 5.6},
+                                                                      {{8, -101.0, -46.4}, 5.4},
+                                                                      {{16, -96.8, -44.8}, 4.3},
+                                                                      {{24.5, -88.2, -42}, 1.8},
+                                                                      {{33, -76, -40}, 1}}},
+                                                 4);
+  return smooth_union(tube(p, upper), tube(p, lower), 1.0);
+}
+
+/// Where the lips touch.
+double lip_line(const Point& p) {
+  static const std::vector<Knot> line = rounded(std::array<Knot, 7>{{{{-6, -110, -41.5}, 0},
+                                                                     {{0, -112, -41.9}, 0},
+                                                                     {{6, -110, -41.5}, 0},
+                                                                     {{14, -103, -41.2}, 0},
+                                                                     {{20, -98, -41.5}, 0},
+                                                                     {{25, -94, -41.9}, 0},
+                                                                     {{30, -90, -42}, 0}}},
+                                                3);
+  return 1.5 * (1 - 0.75 * std::min(1.0, p.x() / 25)) * ridge(p, line, 1.2);
 }
 
 /// How far the open eye lies behind the lids' edges.
@@ -124,13 +149,7 @@ double HeadModel::skin(const Point& point) const {
                    1.1);
   d = smooth_union(d, nose(p), 7);
   d = smooth_union(d, lips(p), 8);
-  d += 1.5 * (1 - 0.75 * std::min(1.0, p.x() / 25)) *
-       ridge(p,
-             {{{1.5, -112, -41.9}, 0},
-              {{6, -110, -41.5}, 0},
-              {{14, -103, -41.2}, 0},
-              {{25, -94, -41.9}, 0}},
-             1.2);
+  d += lip_line(p);
   d = smooth_difference(d, ellipsoid(p, {6.4, -110.5, -22}, {2.8, 5, 3.8}), 2);
   if (p.x() > 50) {
     d = smooth_union(d, ear(p), 5);

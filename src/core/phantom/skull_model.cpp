@@ -1,3 +1,5 @@
+#include <array>
+
 #include "phantom/head_model.h"
 
 namespace gnathion {
@@ -53,7 +55,8 @@ double HeadModel::cranium_outer(const Point& p) const {
   const double back = ellipsoid(p, {0, 14, 47}, {69, 73, 74});
   const double front = ellipsoid(p, {0, -30, 44}, {58, 62, 68});
   double d = smooth_union(back, front, 26);
-  d += 3.0 * bump(p, {60, -42, 26}, {14, 20, 18});
+  d += 4.5 * bump(p, {62, -46, 24}, {14, 18, 18});
+  d -= 1.5 * bump(p, {26, -84, 62}, {16, 20, 14});
   return d;
 }
 
@@ -64,11 +67,15 @@ double HeadModel::cranium(const Point& p) const {
   double d = smooth_intersection(outer, base, 10);
   d = smooth_union(d, ellipsoid(p, {0, 22, -16}, {30, 30, 12}), 10);
   // Brow ridge with the upper rim of the orbit.
-  const double brow = tube(p, {{{0, -86, 36}, 6},
-                               {{16, -87, 35}, 4.5},
-                               {{31, -83, 35}, 4},
-                               {{43, -73, 30}, 3.8},
-                               {{47.5, -65, 22}, 3.6}});
+  static const std::vector<Knot> brow_path = rounded(std::array<Knot, 7>{{{{-16, -87, 35}, 4.5},
+                                                                          {{0, -86, 36}, 6},
+                                                                          {{16, -87, 35}, 4.5},
+                                                                          {{31, -83, 35}, 4},
+                                                                          {{43, -73, 30}, 3.8},
+                                                                          {{47.5, -65, 22}, 3.6},
+                                                                          {{49, -62, 10}, 3.6}}},
+                                                     3);
+  const double brow = tube(p, brow_path);
   d = smooth_union(d, brow, 10);
   d = smooth_union(d, ellipsoid(p, {50, 13, -14}, {8.5, 10, 16}), 12);  // mastoid
   d = smooth_union(d, ellipsoid(p, {54, -22, 0}, {11, 22, 7}), 7);    // floor of the temporal bone
@@ -82,12 +89,16 @@ double HeadModel::cheekbone(const Point& p) const {
   const double rim = tube(p, {{{15, -82, 1}, 3.6}, {{29, -80, -3}, 4.2}, {{43, -71, 1}, 4.2}});
   const double frontal =
       tube(p, {{{46.5, -66, 0}, 4.6}, {{48.5, -63, 12}, 3.8}, {{48, -65, 23}, 3.6}});
-  const double arch = tube(p, {{{49, -62, -7}, 5.2},
-                               {{58, -50, -6}, 4.2},
-                               {{63, -36, -5}, 3.4},
-                               {{63.5, -24, -3.5}, 3.2},
-                               {{61, -10, 0}, 3.8},
-                               {{58, 6, 4}, 4}});
+  static const std::vector<Knot> path = rounded(std::array<Knot, 8>{{{{40, -72, -8}, 6},
+                                                                     {{49, -62, -7}, 5.2},
+                                                                     {{58, -50, -6}, 4.2},
+                                                                     {{63, -36, -5}, 3.4},
+                                                                     {{63.5, -24, -3.5}, 3.2},
+                                                                     {{61, -10, 0}, 3.8},
+                                                                     {{58, 6, 4}, 4},
+                                                                     {{55, 20, 6}, 4}}},
+                                                3);
+  const double arch = tube(p, path);
   double d = smooth_union(body, buttress, 8);
   d = smooth_union(d, rim, 6);
   d = smooth_union(d, frontal, 6);

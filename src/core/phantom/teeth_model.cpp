@@ -29,7 +29,7 @@ constexpr Arch upper_arch{-97.5, 29.5, 50};
 constexpr Arch lower_arch{-94.5, 28, 48};
 // The bone lies behind the crowns, which lean forwards.
 constexpr Arch upper_ridge{-92.5, 28.5, 46};
-constexpr Arch lower_ridge{-90.5, 28, 44};
+constexpr Arch lower_ridge{-88.8, 28, 44};
 
 /// Widths, thicknesses at edge and neck and crown heights, central incisor to second molar, mm
 /// (rounded means of adult teeth).
@@ -64,7 +64,7 @@ double arch_distance(const Point& p, const Arch& arch) {
 double alveolar(const Point& p, const Arch& arch, double z_low, double z_high, double thickness) {
   const double beyond = std::max(std::abs(p.z() - (z_low + z_high) / 2) - 12, p.y() + 40);
   if (beyond > 12 || p.x() > 50) {
-    return std::max({beyond - 6, p.x() - 44, 4.0});
+    return std::max(beyond, p.x() - 34);
   }
   const Eigen::Vector2d section(arch_distance(p, arch), p.z() - (z_low + z_high) / 2);
   return rounded_box(section, {thickness / 2, (z_high - z_low) / 2}, 2.5);
@@ -109,14 +109,14 @@ double HeadModel::tooth(const Point& p, const Tooth& t) {
   const double thickness = t.edge_thickness + (t.neck_thickness - t.edge_thickness) *
                                                   std::sqrt(rise * (1.6 - 0.6 * rise));
   const double taper = 1 - 0.26 * std::max(0.0, rise - 0.2);
-  const Point crown_point(along, outward + 0.15 * (thickness - t.edge_thickness),
+  const Point crown_point(along, outward + 0.35 * (thickness - t.edge_thickness),
                           height - t.crown / 2);
   const double rounding = std::min(1.9, 0.48 * std::min(thickness, t.width));
   const double crown =
       rounded_box(crown_point, {(t.width / 2 - 0.1) * taper, thickness / 2, t.crown / 2}, rounding);
   const Point root_point(along * t.neck_thickness / t.width, outward, height);
-  const double root = tube(root_point, {{{0, -0.5, t.crown - 2}, 0.36 * t.neck_thickness},
-                                        {{0, t.width < 8.7 ? -6.0 : -2.5, t.crown + t.root}, 1.3}});
+  const double root = tube(root_point, {{{0, -2.4, t.crown - 2}, 0.36 * t.neck_thickness},
+                                        {{0, t.width < 8.7 ? -7.5 : -3.5, t.crown + t.root}, 1.3}});
   return 0.9 * smooth_union(crown, root, 2);
 }
 

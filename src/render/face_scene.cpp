@@ -147,6 +147,9 @@ std::unique_ptr<ShownSurface> show_part(const TexturedMesh& face, SurfacePart pa
 
 /// Right, up and away-from-viewer of a picture, as rows, in LPS.
 Eigen::Matrix3d picture_axes(CameraPreset view) {
+  if (view == CameraPreset::top) {
+    return Eigen::Vector3d(1, 1, -1).asDiagonal();
+  }
   double turn = 0;  // about +z, from the front towards the patient's left
   switch (view) {
     case CameraPreset::front:
@@ -160,6 +163,8 @@ Eigen::Matrix3d picture_axes(CameraPreset view) {
       break;
     case CameraPreset::three_quarter:
       turn = 40 * pi / 180;
+      break;
+    case CameraPreset::top:
       break;
   }
   Eigen::Matrix3d axes;
@@ -238,6 +243,8 @@ std::string name_of(CameraPreset view) {
       return "right";
     case CameraPreset::three_quarter:
       return "three_quarter";
+    case CameraPreset::top:
+      return "top";
   }
   return "view";
 }
@@ -587,7 +594,7 @@ void FaceScene::look_from(CameraPreset view, double aspect_ratio) {
   vtkCamera* camera = impl_->renderer->GetActiveCamera();
   camera->SetFocalPoint(focus.x(), focus.y(), focus.z());
   camera->SetPosition(eye.x(), eye.y(), eye.z());
-  camera->SetViewUp(0, 0, 1);
+  camera->SetViewUp(axes(1, 0), axes(1, 1), axes(1, 2));
   camera->SetViewAngle(view_angle);
   impl_->renderer->ResetCameraClippingRange();
 }

@@ -17,9 +17,10 @@ enum class CameraPreset {
   left,           ///< the patient's left profile; the nose points to the picture's left
   right,          ///< the patient's right profile; the nose points to the picture's right
   three_quarter,  ///< from anterior, 40° round to the patient's left
+  top,            ///< from above; the nose points to the picture's lower edge
 };
 
-/// A file-name-safe word for a preset: "front", "left", "right", "three_quarter".
+/// A file-name-safe word for a preset: "front", "left", "right", "three_quarter", "top".
 std::string name_of(CameraPreset view);
 
 /// How a bone is shown.

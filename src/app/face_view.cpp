@@ -1,0 +1,224 @@
+#include "app/face_view.h"
+
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cstring>
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <vtkCallbackCommand.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+
+namespace gnathion {
+namespace {
+
+/// The camera by the mouse alone: VTK's own letters would end the program, draw wire frames or
+/// switch to stereo.
+class CameraByMouse : public vtkInteractorStyleTrackballCamera {
+ public:
+  static CameraByMouse* New();
+  vtkTypeMacro(CameraByMouse, vtkInteractorStyleTrackballCamera);
+  void OnChar() override {}
+};
+vtkStandardNewMacro(CameraByMouse);
+
+/// 20 mm before the skin, in the height of the segment's most forward part.
+Eigen::Vector3d handle_home(const LoadedCase& loaded) {
+  const Points& bone = loaded.anatomy->cut.segment.vertices;
+  const double front = bone.col(1).minCoeff();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  int count = 0;
+  for (Eigen::Index v = 0; v < bone.rows(); ++v) {
+    if (bone(v, 1) > front + 10) continue;
+    sum += bone.row(v).transpose();
+    ++count;
+  }
+  Eigen::Vector3d home = sum / count;
+  double skin = front;
+  const Points& face = loaded.anatomy->face.mesh.surface.vertices;
+  for (const int v : loaded.model->moving_vertices()) skin = std::min(skin, face(v, 1));
+  home.y() = skin - 20;
+  return home;
+}
+
+}  // namespace
+
+FaceView::FaceView(QWidget* parent) : QWidget(parent), canvas_(new QVTKOpenGLNativeWidget(this)) {
+  canvas_->setObjectName("face_canvas");
+  canvas_->setFocusPolicy(Qt::StrongFocus);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(canvas_);
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  window->SetMultiSamples(0);  // costs a software renderer more than twice the time
+  canvas_->setRenderWindow(window);
+  window->AddRenderer(scene_.renderer());
+  scene_.renderer()->UseFXAAOn();
+  set_up_camera_mouse();
+  handle_.on_moved([this](const Eigen::Vector3d& translation) {
+    // The grip draws the frame itself when this returns.
+    dragging_ = true;
+    set_quick(true);
+    emit segment_dragged(translation);
+  });
+  handle_.on_released([this](const Eigen::Vector3d&) {
+    dragging_ = false;
+    set_quick(false);
+    emit drag_ended();
+    render_soon();
+  });
+  render_timer_.setSingleShot(true);
+  connect(&render_timer_, &QTimer::timeout, this, [this] { canvas_->renderWindow()->Render(); });
+}
+
+FaceView::~FaceView() {
+  handle_.detach();
+  delete canvas_;  // while the scene lives: its graphics resources go with their context
+}
+
+QWidget* FaceView::canvas() const {
+  return canvas_;
+}
+
+void FaceView::set_up_camera_mouse() {
+  vtkNew<CameraByMouse> style;
+  vtkNew<vtkCallbackCommand> turning;
+  turning->SetClientData(this);
+  turning->SetCallback([](vtkObject*, unsigned long event, void* self, void*) {
+    auto* view = static_cast<FaceView*>(self);
+    view->set_quick(event == vtkCommand::StartInteractionEvent);
+    if (event == vtkCommand::EndInteractionEvent) view->render_soon();
+  });
+  style->AddObserver(vtkCommand::StartInteractionEvent, turning);
+  style->AddObserver(vtkCommand::EndInteractionEvent, turning);
+  canvas_->renderWindow()->GetInteractor()->SetInteractorStyle(style);
+}
+
+void FaceView::set_quick(bool quick) {
+  scene_.set_coarse_bones(quick);
+  scene_.renderer()->SetUseFXAA(!quick);
+}
+
+void FaceView::show_case(const LoadedCase& loaded) {
+  const Face& face = loaded.anatomy->face;
+  scene_.set_face(face.mesh, face.document.path().string());
+  rest_ = face.mesh.surface.vertices;
+  scene_.remove_bones();
+  scene_.set_bone("skull", loaded.anatomy->cut.remainder, skull_look, loaded.coarse_skull);
+  scene_.set_bone("segment", loaded.anatomy->cut.segment, segment_look, loaded.coarse_segment);
+  change_.resize(0);
+  change_outdated_ = true;
+  handle_.set_home(handle_home(loaded));
+  handle_.attach(canvas_->renderWindow()->GetInteractor(), scene_.renderer());
+  look_from(CameraPreset::three_quarter);
+}
+
+void FaceView::show_response(const Response& response, const Eigen::Vector3d& translation,
+                             const QString& words) {
+  response_ = response;
+  words_ = words;
+  // While it is dragged the grip knows better: setting it would lose motions below the step that
+  // the numbers are rounded to.
+  if (!dragging_) handle_.set_translation(translation);
+  show_points();
+}
+
+void FaceView::show_points() {
+  if (!scene_.has_face() || response_.face.rows() != rest_.rows()) return;
+  scene_.set_face_points(before_ ? rest_ : response_.face);
+  scene_.set_bone_pose("segment", before_ ? RigidMotion{} : response_.pose);
+  handle_.set_visible(!before_);
+  show_caption();
+  if (!dragging_) render_soon();
+}
+
+void FaceView::show_caption() {
+  QString text = before_ ? tr("Before") : tr("Predicted: %1").arg(words_);
+  if (colour_map_ && !before_ && change_outdated_) {
+    text += "\n" + tr("colours follow when the motion rests");
+  }
+  scene_.set_label(text.toStdString());
+}
+
+void FaceView::set_change(const Eigen::VectorXd& signed_mm) {
+  change_ = signed_mm;
+  change_outdated_ = false;
+  show_change();
+}
+
+void FaceView::mark_change_outdated() {
+  change_outdated_ = true;
+  show_caption();
+}
+
+void FaceView::show_change() {
+  if (colour_map_ && !before_ && change_.size() == rest_.rows() && scene_.has_face()) {
+    scene_.show_colour_map(change_, 0, tr("mm").toStdString());
+  } else {
+    scene_.hide_colour_map();
+  }
+  show_caption();
+  render_soon();
+}
+
+double FaceView::aspect_ratio() const {
+  return static_cast<double>(std::max(canvas_->width(), 1)) / std::max(canvas_->height(), 1);
+}
+
+void FaceView::look_from(CameraPreset view) {
+  preset_ = view;
+  scene_.look_from(view, aspect_ratio());
+  render_soon();
+}
+
+void FaceView::set_face_opacity(double opacity) {
+  scene_.set_face_opacity(opacity);
+  render_soon();
+}
+
+void FaceView::set_face_textured(bool textured) {
+  scene_.set_face_textured(textured);
+  render_soon();
+}
+
+void FaceView::set_bone_visible(bool visible) {
+  for (const std::string& name : scene_.bone_names()) scene_.set_bone_visible(name, visible);
+  render_soon();
+}
+
+void FaceView::set_colour_map_visible(bool visible) {
+  colour_map_ = visible;
+  show_change();
+}
+
+void FaceView::set_before_visible(bool visible) {
+  before_ = visible;
+  show_points();
+  show_change();
+}
+
+void FaceView::render_soon() {
+  if (isVisible() && !render_timer_.isActive()) render_timer_.start(0);
+}
+
+Picture FaceView::picture() {
+  handle_.set_visible(false);
+  canvas_->renderWindow()->Render();
+  const QImage image = canvas_->grabFramebuffer().convertToFormat(QImage::Format_RGB888);
+  handle_.set_visible(!before_);
+  render_soon();
+  Picture picture{image.width(), image.height(), {}};
+  const auto row_bytes = static_cast<std::size_t>(3 * image.width());
+  picture.rgb.resize(row_bytes * static_cast<std::size_t>(image.height()));
+  for (int y = 0; y < image.height(); ++y) {
+    std::memcpy(&picture.rgb[row_bytes * static_cast<std::size_t>(y)], image.constScanLine(y),
+                row_bytes);
+  }
+  return picture;
+}
+
+}  // namespace gnathion

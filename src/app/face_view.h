@@ -1,0 +1,80 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <QTimer>
+#include <QWidget>
+
+#include "app/case_controller.h"
+#include "render/face_scene.h"
+#include "render/picture.h"
+#include "render/segment_handle.h"
+
+class QVTKOpenGLNativeWidget;
+class vtkObject;
+class vtkRenderer;
+
+namespace gnathion {
+
+/// The 3D view: textured face, skull, the segment in its pose, and the grips that move it. It shows
+/// what it is given and reports what the mouse does; it holds no model.
+class FaceView : public QWidget {
+  Q_OBJECT
+ public:
+  explicit FaceView(QWidget* parent = nullptr);
+  ~FaceView() override;
+
+  /// Replaces everything shown, seen from the front. Throws as FaceScene::set_face; what was shown
+  /// is then unchanged.
+  void show_case(const LoadedCase& loaded);
+  /// The segment moved and the face with it. words: for the caption.
+  void show_response(const Response& response, const Eigen::Vector3d& translation,
+                     const QString& words);
+  /// Colours for the signed change of the face, n values in mm; they stay until others come.
+  void set_change(const Eigen::VectorXd& signed_mm);
+  /// The colours no longer belong to the motion shown; the caption says so.
+  void mark_change_outdated();
+
+  void look_from(CameraPreset view);
+  void set_face_opacity(double opacity);
+  void set_face_textured(bool textured);
+  void set_bone_visible(bool visible);
+  void set_colour_map_visible(bool visible);
+  /// true: face and segment where they were before any motion, until it is switched off.
+  void set_before_visible(bool visible);
+
+  /// What is shown, without the grips, in the screen's own pixels.
+  Picture picture();
+  vtkRenderer* renderer() const { return scene_.renderer(); }
+  /// The widget that receives the mouse.
+  QWidget* canvas() const;
+
+ signals:
+  /// translation: of the segment, mm, LPS, while the mouse moves.
+  void segment_dragged(const Eigen::Vector3d& translation);
+  void drag_ended();
+
+ private:
+  void set_up_camera_mouse();
+  void set_quick(bool quick);
+  void show_points();
+  void show_caption();
+  void show_change();
+  void render_soon();
+  double aspect_ratio() const;
+
+  QVTKOpenGLNativeWidget* canvas_;
+  FaceScene scene_;
+  SegmentHandle handle_;
+  QTimer render_timer_;  ///< many changes in one turn of the event loop: one frame
+  Points rest_;
+  Response response_;
+  QString words_;
+  Eigen::VectorXd change_;
+  CameraPreset preset_ = CameraPreset::front;
+  bool change_outdated_ = true;
+  bool colour_map_ = false;
+  bool before_ = false;
+  bool dragging_ = false;
+};
+
+}  // namespace gnathion

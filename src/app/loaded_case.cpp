@@ -1,0 +1,87 @@
+#include "app/loaded_case.h"
+
+#include <future>
+#include <string>
+
+#include <vtkSmartPointer.h>
+#include <vtkTexture.h>
+
+#include "base/error.h"
+#include "demo/demo_case.h"
+#include "io/case_file.h"
+#include "io/files.h"
+#include "render/coarse_surface.h"
+#include "render/split_surface.h"
+#include "render/texture_image.h"
+
+namespace gnathion {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What FaceScene::set_face would refuse is refused here, while the case on screen is whole.
+void require_showable(const Face& face) {
+  check_face(face.mesh, face.document.path().string());
+  for (const Material& material : face.mesh.materials) {
+    if (!material.texture.empty()) load_texture(material.texture);
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<const LoadedCase> load_case(const fs::path& file, Progress& progress) {
+  auto loaded = std::make_shared<LoadedCase>();
+  loaded->file = fs::absolute(file);
+  loaded->plan = read_case_file(loaded->file);
+  const auto anatomy = std::make_shared<const Anatomy>(build_anatomy(loaded->plan, progress));
+  loaded->anatomy = anatomy;
+  // The future's destructor waits for its thread.
+  std::future<void> coarse = std::async(std::launch::async, [anatomy, &loaded] {
+    loaded->coarse_skull = coarse_triangles(anatomy->cut.remainder);
+    loaded->coarse_segment = coarse_triangles(anatomy->cut.segment, 20000);
+  });
+  require_showable(anatomy->face);
+  loaded->model = std::make_shared<const FaceModel>(*anatomy, loaded->plan.region,
+                                                    loaded->plan.tissue, progress);
+  loaded->landmarks = FaceLandmarks(loaded->plan.landmarks, anatomy->face.mesh.surface);
+  const auto stage = progress.stage("bones for quick frames");
+  coarse.get();
+  progress.check();
+  return loaded;
+}
+
+fs::path cached_demo_case(const fs::path& cache, const fs::path& program, Progress& progress) {
+  std::error_code none;
+  const std::string prefix = "demo-case-";
+  const auto build = fs::last_write_time(program, none).time_since_epoch().count();
+  const fs::path folder = cache / (prefix + GNATHION_VERSION + "-" + std::to_string(build));
+  if (fs::exists(folder / "case.json", none)) return folder;
+  fs::create_directories(cache, none);
+  if (!fs::is_directory(cache, none)) {
+    throw Error(ErrorKind::output, cache.string(), "the folder for the demo case cannot be made",
+                "make it, or set XDG_CACHE_HOME to a folder that can be written");
+  }
+  for (const auto& entry : fs::directory_iterator(cache, none)) {
+    if (entry.path().filename().string().rfind(prefix, 0) == 0) fs::remove_all(entry, none);
+  }
+  write_demo_case(1, folder, progress);
+  return folder;
+}
+
+void export_prediction(const LoadedCase& loaded, const JawMotion& motion, const fs::path& folder,
+                       Progress& progress) {
+  NewFolder output(folder);
+  SurgicalCase plan = loaded.plan;
+  plan.motion = motion;
+  const Anatomy& anatomy = *loaded.anatomy;
+  const Prediction prediction = make_prediction(plan, anatomy, *loaded.model, progress);
+  const auto stage = progress.stage("export");
+  anatomy.face.document.write(output.path(), "predicted.obj",
+                              anatomy.face.file_vertices(prediction.face_points));
+  write_text_file(output.path() / "report.json",
+                  report_json(plan, anatomy, *loaded.model, prediction, progress));
+  progress.check();
+  output.publish();
+}
+
+}  // namespace gnathion

@@ -1,0 +1,318 @@
+#include "app/main_window.h"
+
+#include <QActionGroup>
+#include <QCloseEvent>
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLocale>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QSlider>
+#include <QStandardPaths>
+#include <QToolButton>
+#include <cmath>
+
+#include "app/face_view.h"
+#include "app/motion_panel.h"
+#include "app/motion_words.h"
+#include "base/error.h"
+#include "render/picture.h"
+#include "ui_main_window.h"
+
+namespace gnathion {
+namespace {
+
+std::filesystem::path path_of(const QString& file) {
+  return QFile::encodeName(file).toStdString();
+}
+
+/// What a drag is rounded to, so that the numbers shown are the numbers computed with.
+double to_tenth(double value) {
+  return std::round(10 * value) / 10;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent), ui_(std::make_unique<Ui::MainWindow>()) {
+  ui_->setupUi(this);
+  panel_ = ui_->motion_panel;
+  add_tools();
+  add_status();
+  connect_file_actions();
+  connect_view_actions();
+  connect_motion();
+  connect_work();
+  update_enabled();
+  show_model_limits();
+}
+
+MainWindow::~MainWindow() = default;
+
+FaceView& MainWindow::face_view() {
+  return *ui_->face_view;
+}
+
+void MainWindow::add_tools() {
+  auto* label = new QLabel(tr("Face opacity"), ui_->view_toolbar);
+  label->setObjectName("opacity_label");
+  label->setContentsMargins(8, 0, 4, 0);
+  opacity_slider_ = new QSlider(Qt::Horizontal, ui_->view_toolbar);
+  opacity_slider_->setObjectName("opacity_slider");
+  opacity_slider_->setRange(0, 100);
+  opacity_slider_->setValue(100);
+  opacity_slider_->setPageStep(25);
+  opacity_slider_->setFixedWidth(110);
+  opacity_slider_->setToolTip(tr("How opaque the face is, 0 to 100 %: less shows the bone below"));
+  label->setBuddy(opacity_slider_);
+  ui_->view_toolbar->addWidget(label);
+  ui_->view_toolbar->addWidget(opacity_slider_);
+  ui_->view_menu->addSeparator();
+  ui_->view_menu->addAction(ui_->motion_dock->toggleViewAction());
+}
+
+void MainWindow::add_status() {
+  stage_label_ = new QLabel(this);
+  stage_label_->setObjectName("stage_label");
+  progress_bar_ = new QProgressBar(this);
+  progress_bar_->setObjectName("progress_bar");
+  progress_bar_->setRange(0, 0);
+  progress_bar_->setFixedWidth(120);
+  cancel_button_ = new QToolButton(this);
+  cancel_button_->setObjectName("cancel_button");
+  cancel_button_->setText(tr("Cancel"));
+  model_label_ = new QLabel(this);
+  model_label_->setObjectName("model_label");
+  auto* research = new QLabel(tr("<b>Research use only</b>"), this);
+  research->setObjectName("research_label");
+  research->setToolTip(tr("Not a medical device: not for decisions about a patient's treatment"));
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{progress_bar_, cancel_button_, stage_label_, model_label_}) {
+    statusBar()->addWidget(widget);
+  }
+  statusBar()->addPermanentWidget(research);
+}
+
+void MainWindow::connect_file_actions() {
+  connect(ui_->open_action, &QAction::triggered, this, &MainWindow::ask_case);
+  connect(ui_->demo_action, &QAction::triggered, this, &MainWindow::open_demo_case);
+  connect(ui_->export_action, &QAction::triggered, this, &MainWindow::ask_export);
+  connect(ui_->picture_action, &QAction::triggered, this, &MainWindow::ask_picture);
+  connect(ui_->quit_action, &QAction::triggered, this, &QWidget::close);
+  connect(ui_->about_action, &QAction::triggered, this, &MainWindow::show_about);
+  connect(ui_->welcome_open_button, &QPushButton::clicked, ui_->open_action, &QAction::trigger);
+  connect(ui_->welcome_demo_button, &QPushButton::clicked, ui_->demo_action, &QAction::trigger);
+}
+
+void MainWindow::connect_view_actions() {
+  FaceView* view = ui_->face_view;
+  const std::pair<QAction*, CameraPreset> presets[] = {
+      {ui_->front_action, CameraPreset::front},
+      {ui_->left_action, CameraPreset::left},
+      {ui_->right_action, CameraPreset::right},
+      {ui_->three_quarter_action, CameraPreset::three_quarter},
+      {ui_->top_action, CameraPreset::top},
+      {ui_->reset_view_action, CameraPreset::three_quarter}};
+  for (const auto& [action, preset] : presets) {
+    connect(action, &QAction::triggered, view,
+            [view, preset = preset] { view->look_from(preset); });
+  }
+  connect(ui_->textured_action, &QAction::toggled, view, &FaceView::set_face_textured);
+  connect(ui_->bone_action, &QAction::toggled, view, &FaceView::set_bone_visible);
+  connect(ui_->colour_map_action, &QAction::toggled, view, &FaceView::set_colour_map_visible);
+  connect(ui_->before_action, &QAction::toggled, view, &FaceView::set_before_visible);
+  connect(opacity_slider_, &QSlider::valueChanged, view,
+          [view](int percent) { view->set_face_opacity(percent / 100.0); });
+}
+
+void MainWindow::connect_motion() {
+  connect(panel_, &MotionPanel::motion_edited, this,
+          [this](const JawMotion& motion) { controller_.set_motion(motion); });
+  connect(ui_->face_view, &FaceView::segment_dragged, this, &MainWindow::drag_segment);
+  connect(ui_->face_view, &FaceView::drag_ended, this, &MainWindow::show_motion);
+  connect(&controller_, &CaseController::case_opened, this, &MainWindow::show_case);
+  connect(&controller_, &CaseController::motion_changed, this, &MainWindow::show_motion);
+  connect(&controller_, &CaseController::checked_changed, this, &MainWindow::show_checked);
+}
+
+void MainWindow::connect_work() {
+  connect(cancel_button_, &QToolButton::clicked, &controller_, &CaseController::cancel);
+  connect(&controller_, &CaseController::work_began, this, [this](const QString& what) {
+    ui_->message_bar->hide();
+    stage_label_->setText(what);
+    update_enabled();
+  });
+  connect(&controller_, &CaseController::work_stage, stage_label_, &QLabel::setText);
+  connect(&controller_, &CaseController::work_ended, this, &MainWindow::update_enabled);
+  connect(&controller_, &CaseController::failed, ui_->message_bar, &MessageBar::show_failure);
+  connect(&controller_, &CaseController::noticed, this, [this](const QString& notice) {
+    ui_->message_bar->show_notice(tr("Please note"), notice);
+  });
+  connect(&controller_, &CaseController::exported, this, [this](const QString& folder) {
+    ui_->message_bar->show_notice(
+        tr("Exported"),
+        tr("The predicted face (predicted.obj) and its report are in %1").arg(folder));
+  });
+}
+
+void MainWindow::update_enabled() {
+  const bool any = controller_.has_case();
+  const bool working = controller_.is_working();
+  for (QAction* action :
+       {ui_->export_action, ui_->picture_action, ui_->front_action, ui_->left_action,
+        ui_->right_action, ui_->three_quarter_action, ui_->top_action, ui_->reset_view_action,
+        ui_->textured_action, ui_->bone_action, ui_->colour_map_action, ui_->before_action}) {
+    action->setEnabled(any);
+  }
+  panel_->setEnabled(any);
+  opacity_slider_->setEnabled(any);
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{stage_label_, progress_bar_, cancel_button_}) {
+    widget->setVisible(working);
+  }
+  model_label_->setVisible(!working);
+}
+
+void MainWindow::open_case(const QString& file) {
+  controller_.open_case(path_of(file));
+}
+
+void MainWindow::open_demo_case() {
+  controller_.open_demo_case(
+      path_of(QStandardPaths::writableLocation(QStandardPaths::CacheLocation)));
+}
+
+// Dialogs are opened, not executed: no event loop within another, so that the window may close.
+
+void MainWindow::ask_case() {
+  auto* dialog = new QFileDialog(this, tr("Open case"));
+  dialog->setObjectName("open_dialog");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setOption(QFileDialog::DontUseNativeDialog);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  dialog->setNameFilters({tr("Case files (*.json)"), tr("All files (*)")});
+  connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::open_case);
+  dialog->open();
+}
+
+void MainWindow::ask_export() {
+  auto* dialog = new QFileDialog(this, tr("Export the predicted face into a new folder"));
+  dialog->setObjectName("export_dialog");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setOption(QFileDialog::DontUseNativeDialog);
+  dialog->setOption(QFileDialog::DontConfirmOverwrite);  // nothing is ever overwritten
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setFileMode(QFileDialog::AnyFile);
+  dialog->setLabelText(QFileDialog::FileName, tr("New folder:"));
+  dialog->setLabelText(QFileDialog::Accept, tr("Export"));
+  dialog->setDirectory(QDir::homePath());
+  dialog->selectFile("predicted_face");
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this](const QString& folder) { controller_.export_face(path_of(folder)); });
+  dialog->open();
+}
+
+void MainWindow::ask_picture() {
+  auto* dialog = new QFileDialog(this, tr("Save the picture"));
+  dialog->setObjectName("picture_dialog");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setOption(QFileDialog::DontUseNativeDialog);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setNameFilter(tr("Pictures (*.png)"));
+  dialog->setDefaultSuffix("png");
+  dialog->setDirectory(QDir::homePath());
+  dialog->selectFile("face.png");
+  connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::save_picture);
+  dialog->open();
+}
+
+void MainWindow::save_picture(const QString& file) {
+  try {
+    write_png(ui_->face_view->picture(), path_of(file));
+    ui_->message_bar->show_notice(tr("Saved"), tr("The picture is %1").arg(file));
+  } catch (const Error& error) {
+    ui_->message_bar->show_failure(failure_of(error));
+  }
+}
+
+void MainWindow::show_about() {
+  auto* box = new QMessageBox(
+      QMessageBox::NoIcon, tr("About Gnathion"),
+      tr("<h3>Gnathion %1</h3>"
+         "<p>Predicts a face after an operation on the jaw, from a CT, a 3D photograph and the "
+         "planned motion of a bone segment.</p>"
+         "<p><b>Research use only.</b> Gnathion is not a medical device. Its predictions have not "
+         "been validated on patients and must not be used for decisions about diagnosis or "
+         "treatment.</p>"
+         "<p>Free software under the GNU General Public License, version 3 or later, without any "
+         "warranty. It uses Qt, VTK, CGAL, GDCM, OpenCV, Eigen and SuiteSparse.</p>")
+          .arg(GNATHION_VERSION),
+      QMessageBox::Close, this);
+  box->setObjectName("about_box");
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->open();
+}
+
+void MainWindow::show_case() {
+  const LoadedCase& loaded = controller_.loaded();
+  ui_->pages->setCurrentWidget(ui_->view_page);
+  ui_->face_view->show_case(loaded);
+  panel_->set_turns_enabled(loaded.plan.tissue.load == LoadModel::displacement);
+  const QString name = QString::fromStdString(loaded.plan.name);
+  setWindowTitle(tr("%1 – Gnathion").arg(name.isEmpty() ? tr("Case without a name") : name));
+  update_enabled();
+}
+
+void MainWindow::show_motion() {
+  const JawMotion& motion = controller_.motion();
+  panel_->show_motion(motion);
+  panel_->show_response(controller_.response());
+  if (controller_.checked() == nullptr) ui_->face_view->mark_change_outdated();
+  ui_->face_view->show_response(controller_.response(),
+                                {motion.left_mm, -motion.forward_mm, motion.up_mm},
+                                motion_words(motion));
+  show_model_limits();
+}
+
+void MainWindow::show_checked() {
+  ui_->face_view->set_change(controller_.checked()->signed_distance);
+  show_model_limits();
+}
+
+void MainWindow::show_model_limits() {
+  if (!controller_.has_case()) {
+    model_label_->setText(tr("No case is open"));
+    return;
+  }
+  const auto tets = controller_.loaded().model->problem().tissue.mesh.tets.rows();
+  QString text = tr("Linear tetrahedra: %1").arg(tets);
+  QString warning;
+  if (const Prediction* checked = controller_.checked()) {
+    text += tr(" · residual %1").arg(checked->relative_residual, 0, 'e', 0);
+    if (checked->inverted_after > 0) {
+      warning = tr(", %1 turned inside out").arg(checked->inverted_after);
+    }
+  }
+  const QString limit = tr("trust up to about %1 mm or %2°, see docs/evidence.md")
+                            .arg(trusted_shift_mm)
+                            .arg(trusted_turn_deg);
+  if (controller_.is_beyond_trust()) {
+    text += QString(" · <b style='color:#b35900'>%1</b>")
+                .arg(tr("beyond the linear model's range%1: %2").arg(warning, limit));
+  } else {
+    text += tr("%1 · linear model: %2").arg(warning, limit);
+  }
+  model_label_->setText(text);
+}
+
+void MainWindow::drag_segment(const Eigen::Vector3d& translation) {
+  JawMotion motion = controller_.motion();
+  motion.left_mm = to_tenth(translation.x());
+  motion.forward_mm = to_tenth(-translation.y());
+  motion.up_mm = to_tenth(translation.z());
+  controller_.set_motion(motion);
+}
+
+}  // namespace gnathion

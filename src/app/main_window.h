@@ -1,0 +1,66 @@
+#pragma once
+
+#include <QMainWindow>
+#include <filesystem>
+#include <memory>
+
+#include "app/case_controller.h"
+
+class QFileDialog;
+class QLabel;
+class QProgressBar;
+class QSlider;
+class QToolButton;
+namespace Ui {
+class MainWindow;
+}
+
+namespace gnathion {
+
+class FaceView;
+class MotionPanel;
+
+/// The window: it shows the controller's model and turns what the user does into calls of it.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  CaseController& controller() { return controller_; }
+  FaceView& face_view();
+  void open_case(const QString& file);
+  void open_demo_case();
+
+ private:
+  void add_tools();
+  void add_status();
+  void connect_file_actions();
+  void connect_view_actions();
+  void connect_motion();
+  void connect_work();
+  void update_enabled();
+
+  void ask_case();
+  void ask_export();
+  void ask_picture();
+  void save_picture(const QString& file);
+  void show_about();
+
+  void show_case();
+  void show_motion();
+  void show_checked();
+  void show_model_limits();
+  void drag_segment(const Eigen::Vector3d& translation);
+
+  std::unique_ptr<Ui::MainWindow> ui_;
+  MotionPanel* panel_ = nullptr;
+  QSlider* opacity_slider_ = nullptr;
+  QLabel* stage_label_ = nullptr;
+  QProgressBar* progress_bar_ = nullptr;
+  QToolButton* cancel_button_ = nullptr;
+  QLabel* model_label_ = nullptr;
+  CaseController controller_;  ///< last: its workers stop before any widget goes
+};
+
+}  // namespace gnathion

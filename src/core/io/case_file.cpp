@@ -2,9 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <charconv>
 #include <cmath>
 #include <fstream>
-#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
@@ -92,11 +92,16 @@ std::vector<int> read_vertices(const fs::path& path) {
                 "check region.vertices_file");
   }
   std::vector<int> vertices;
-  for (int v = 0; stream >> v;) vertices.push_back(v);
-  if (!stream.eof()) {
-    throw Error(ErrorKind::input, path.string(),
-                "entry " + std::to_string(vertices.size() + 1) + " is no whole number",
-                "give vertex numbers of the face, from 0, separated by spaces or lines");
+  for (std::string word; stream >> word;) {
+    int v = 0;
+    const char* end = word.data() + word.size();
+    const auto [rest, status] = std::from_chars(word.data(), end, v);
+    if (status != std::errc() || rest != end) {
+      throw Error(ErrorKind::input, path.string(),
+                  "entry " + std::to_string(vertices.size() + 1) + " is no whole number",
+                  "give vertex numbers of the face, from 0, separated by spaces or lines");
+    }
+    vertices.push_back(v);
   }
   if (vertices.empty()) {
     throw Error(ErrorKind::input, path.string(), "the file names no vertex",
@@ -221,6 +226,11 @@ std::string path_json(const fs::path& target, const fs::path& case_file) {
 
 json segment_json(const BoundedCut& cut) {
   if (const auto* box = std::get_if<BoxCut>(&cut)) {
+    if (!box->axes.isIdentity(1e-12)) {
+      throw Error(ErrorKind::case_file, "segment.box",
+                  "its axes are turned, which a case file has no key for",
+                  "use a box along the patient's axes, or a plate");
+    }
     return {{"box", box_json({box->centre - box->half_extents, box->centre + box->half_extents})}};
   }
   const auto& plate = std::get<PlateCut>(cut);

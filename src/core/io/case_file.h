@@ -12,7 +12,8 @@ namespace gnathion {
 SurgicalCase read_case_file(const std::filesystem::path& path);
 
 /// Writes a case file that read_case_file() reads back as the same case. Paths are written relative
-/// to the file's folder where they lie within it. Throws Error(output).
+/// to the file's folder where they lie within it. Throws Error(output), and Error(case_file) for a
+/// box whose axes are turned.
 void write_case_file(const SurgicalCase& plan, const std::filesystem::path& path);
 
 }  // namespace gnathion

@@ -112,10 +112,15 @@ NewFolder::NewFolder(fs::path target)
     throw Error(ErrorKind::output, target_.string(),
                 "it exists already, and nothing is overwritten", "name a new folder");
   }
-  partial_ = target_.parent_path() /
-             ("." + target_.filename().string() + ".partial-" + std::to_string(getpid()));
+  // The name must be new: a killed program of the same number may have left its folder behind.
+  const std::string name =
+      "." + target_.filename().string() + ".partial-" + std::to_string(getpid());
   std::error_code failure;
-  fs::create_directory(partial_, failure);
+  bool made = false;
+  for (int attempt = 0; !made && !failure; ++attempt) {
+    partial_ = target_.parent_path() / (name + (attempt == 0 ? "" : "-" + std::to_string(attempt)));
+    made = fs::create_directory(partial_, failure);
+  }
   if (failure) {
     throw Error(ErrorKind::output, target_.parent_path().string(),
                 "no folder can be made here (" + failure.message() + ")",

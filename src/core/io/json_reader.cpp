@@ -1,12 +1,12 @@
 #include "io/json_reader.h"
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 
 #include "base/error.h"
+#include "io/files.h"
 
 namespace gnathion {
 
@@ -29,15 +29,12 @@ JsonReader::JsonReader(std::shared_ptr<Implementation> implementation)
     : implementation_(std::move(implementation)) {}
 
 JsonReader JsonReader::file(const std::string& path) {
-  std::ifstream stream(path);
-  if (!stream) {
-    throw Error(ErrorKind::input, path, "the file cannot be opened", "check its name and rights");
-  }
+  const std::string text = read_text_file(path);
   auto implementation = std::make_shared<Implementation>();
   implementation->file = path;
   try {
-    implementation->value = json::parse(stream);
-  } catch (const json::parse_error& error) {
+    implementation->value = json::parse(text);
+  } catch (const json::exception& error) {  // also a number too large for a double
     throw Error(ErrorKind::case_file, path, error.what(), "mend the JSON at this place");
   }
   if (!implementation->value.is_object()) {

@@ -4,16 +4,17 @@
 #include <vtkCellType.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
-#include <vtkPLYWriter.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include <algorithm>
+#include <bit>
+#include <string>
 
 #include "base/error.h"
+#include "io/files.h"
 
 namespace gnathion {
 namespace {
@@ -36,25 +37,28 @@ vtkNew<vtkCellArray> to_vtk_cells(const Cells& cells) {
   return array;
 }
 
-template <typename Writer>
-void write(Writer& writer, const std::filesystem::path& path) {
-  writer.SetFileName(path.c_str());
-  if (writer.Write() == 0 || writer.GetErrorCode() != 0) {
-    throw Error(ErrorKind::output, path.string(), "it cannot be written",
-                "check free space and rights");
-  }
+template <typename Number>
+void append(std::string& bytes, Number number) {
+  static_assert(std::endian::native == std::endian::little, "the headers below say so");
+  bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
 }  // namespace
 
 void write_ply(const TriangleMesh& mesh, const std::filesystem::path& path) {
-  vtkNew<vtkPolyData> surface;
-  surface->SetPoints(to_vtk(mesh.vertices));
-  surface->SetPolys(to_vtk_cells(mesh.triangles));
-  vtkNew<vtkPLYWriter> writer;
-  writer->SetInputData(surface);
-  writer->SetFileTypeToBinary();
-  write(*writer.Get(), path);
+  std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment LPS, mm\nelement vertex " +
+                      std::to_string(mesh.vertices.rows()) +
+                      "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+                      std::to_string(mesh.triangles.rows()) +
+                      "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v) {
+    for (const double x : mesh.vertices.row(v)) append(bytes, static_cast<float>(x));
+  }
+  for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
+    append(bytes, static_cast<unsigned char>(3));
+    for (const int v : mesh.triangles.row(f)) append(bytes, v);
+  }
+  write_text_file(path, bytes);
 }
 
 void write_vtu(const TetMesh& mesh, const Points& displacements,
@@ -73,7 +77,13 @@ void write_vtu(const TetMesh& mesh, const Points& displacements,
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetInputData(grid);
   writer->SetDataModeToAppended();
-  write(*writer.Get(), path);
+  // Through a text in memory: VTK prints what fails in a file.
+  writer->WriteToOutputStringOn();
+  if (writer->Write() == 0) {
+    throw Error(ErrorKind::output, path.string(), "VTK cannot write this mesh",
+                "report this as a fault of the program");
+  }
+  write_text_file(path, writer->GetOutputString());
 }
 
 }  // namespace gnathion

@@ -17,7 +17,9 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <sstream>
+#include <string_view>
 
 #include "base/error.h"
 #include "io/files.h"
@@ -61,6 +63,24 @@ void for_lines(const std::string& text, const std::string& keyword, Use use) {
   }
 }
 
+/// The next word in [begin, end): blanks before it are passed over. Empty at the line's end.
+std::string_view next_word(const std::string& text, std::size_t& begin, std::size_t end) {
+  while (begin < end && (is_blank(text[begin]) || text[begin] == '\r')) ++begin;
+  const std::size_t start = begin;
+  while (begin < end && !is_blank(text[begin]) && text[begin] != '\r') ++begin;
+  return std::string_view(text).substr(start, begin - start);
+}
+
+/// Nothing unless the whole word is one finite number, with a decimal point if any.
+std::optional<double> finite_number(std::string_view word) {
+  if (!word.empty() && word.front() == '+') word.remove_prefix(1);
+  double value = 0;
+  const char* end = word.data() + word.size();
+  const auto [rest, status] = std::from_chars(word.data(), end, value);
+  if (word.empty() || status != std::errc() || rest != end || !std::isfinite(value)) return {};
+  return value;
+}
+
 /// A file that an OBJ or MTL names, which may have Windows' slashes.
 std::string existing_name(const fs::path& folder, std::string name) {
   if (fs::exists(folder / name)) return name;
@@ -99,6 +119,7 @@ ObjDocument ObjDocument::parse(const fs::path& path, std::string text) {
   document.path_ = path;
   document.text_ = std::move(text);
   document.find_vertex_lines();
+  document.check_faces();
   document.find_materials();
   document.read_faces();
   document.weld_split_vertices();
@@ -107,31 +128,72 @@ ObjDocument ObjDocument::parse(const fs::path& path, std::string text) {
 
 void ObjDocument::find_vertex_lines() {
   std::vector<double> values;
+  const std::string remedy = "mend the file (numbers with a decimal point) or export it again";
   for_lines(text_, "v", [&](std::size_t begin, std::size_t end, int number) {
     while (begin < end && is_blank(text_[begin])) ++begin;
     VertexLine line{begin, begin};
     for (int axis = 0; axis < 3; ++axis) {
-      while (line.end < end && is_blank(text_[line.end])) ++line.end;
-      std::size_t stop = line.end;
-      while (stop < end && !is_blank(text_[stop]) && text_[stop] != '\r') ++stop;
-      const char* first = text_.data() + line.end + (text_[line.end] == '+' ? 1 : 0);
-      const char* last = text_.data() + stop;
-      double value = 0;
-      const auto [rest, status] = std::from_chars(first, last, value);
-      if (status != std::errc() || rest != last || !std::isfinite(value)) {
+      const auto value = finite_number(next_word(text_, line.end, end));
+      if (!value) {
         refuse(path_,
                "line " + std::to_string(number) + ": coordinate " + std::to_string(axis + 1) +
                    " of the vertex is not a finite number",
-               "mend the file (numbers with a decimal point) or export it again");
+               remedy);
       }
-      values.push_back(value);
-      line.end = stop;
+      values.push_back(*value);
     }
     vertex_lines_.push_back(line);
+  });
+  for_lines(text_, "vt", [&](std::size_t begin, std::size_t end, int number) {
+    texture_lines_.push_back(begin);
+    std::string_view word = next_word(text_, begin, end);
+    do {
+      if (!finite_number(word)) {
+        refuse(path_,
+               "line " + std::to_string(number) + ": a texture coordinate is not a finite number",
+               remedy);
+      }
+      word = next_word(text_, begin, end);
+    } while (!word.empty());
   });
   if (values.empty()) refuse(path_, "it has no vertices", "choose a Wavefront OBJ file");
   mesh_.surface.vertices =
       Eigen::Map<const Points>(values.data(), static_cast<Eigen::Index>(values.size() / 3), 3);
+}
+
+void ObjDocument::check_faces() const {
+  std::vector<std::size_t> vertices_at;
+  for (const VertexLine& line : vertex_lines_) vertices_at.push_back(line.begin);
+  const auto check = [this](std::string_view index, const std::vector<std::size_t>& at,
+                            std::size_t line, int number, const char* what) {
+    long i = 0;
+    const char* end = index.data() + index.size();
+    const auto [rest, status] = std::from_chars(index.data(), end, i);
+    const auto before = std::lower_bound(at.begin(), at.end(), line) - at.begin();
+    const auto count = static_cast<long>(at.size());
+    if (status == std::errc() && rest == end && i != 0 && i <= count && i >= -before) return;
+    refuse(path_,
+           "line " + std::to_string(number) + ": a face names " + what + " \"" +
+               std::string(index) + "\", but there are only " + std::to_string(count),
+           "the file is damaged: export the photograph again");
+  };
+  for_lines(text_, "f", [&](std::size_t begin, std::size_t end, int number) {
+    const std::size_t line = begin;
+    int corners = 0;
+    for (std::string_view word = next_word(text_, begin, end); !word.empty();
+         word = next_word(text_, begin, end), ++corners) {
+      const std::size_t slash = std::min(word.find('/'), word.size());
+      check(word.substr(0, slash), vertices_at, line, number, "vertex");
+      if (slash == word.size()) continue;
+      const std::string_view texture =
+          word.substr(slash + 1, word.find('/', slash + 1) - slash - 1);
+      if (!texture.empty()) check(texture, texture_lines_, line, number, "texture coordinate");
+    }
+    if (corners < 3) {
+      refuse(path_, "line " + std::to_string(number) + ": a face has fewer than 3 corners",
+             "the file is damaged: export the photograph again");
+    }
+  });
 }
 
 void ObjDocument::find_materials() {
@@ -141,8 +203,9 @@ void ObjDocument::find_materials() {
     const std::string rest = rest_of_line(text_, begin, end);
     std::vector<std::string> names{rest};
     if (existing_name(folder, rest).empty()) {
-      std::istringstream parts(rest);
-      names.assign(std::istream_iterator<std::string>(parts), {});
+      std::istringstream words(rest);
+      const std::vector<std::string> parts(std::istream_iterator<std::string>(words), {});
+      if (!parts.empty() && !existing_name(folder, parts.front()).empty()) names = parts;
     }
     for (const std::string& name : names) {
       const std::string found = existing_name(folder, name);
@@ -180,14 +243,13 @@ void ObjDocument::read_faces() {
   if (!reader.ParseFromString(text_, material_text_, config)) {
     refuse(path_, "it cannot be read: " + reader.Error(), "export the photograph again as OBJ");
   }
+  // It leaves polygons out whose vertices come later in the file, and only warns of it.
+  if (reader.Warning().find("invalid vertex index") != std::string::npos) {
+    refuse(path_, "a face stands before its vertices", "export the photograph again as OBJ");
+  }
   const tinyobj::attrib_t& attributes = reader.GetAttrib();
   const auto vertex_count = static_cast<int>(mesh_.surface.vertices.rows());
   const auto texture_count = static_cast<int>(attributes.texcoords.size() / 2);
-  for (const double t : attributes.texcoords) {
-    if (!std::isfinite(t)) {
-      refuse(path_, "a texture coordinate is not finite", "export the photograph again");
-    }
-  }
   mesh_.texture_coordinates = Eigen::Map<const decltype(mesh_.texture_coordinates)>(
       attributes.texcoords.data(), texture_count, 2);
   std::vector<std::array<int, 3>> corners, textures;

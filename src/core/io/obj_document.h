@@ -15,8 +15,8 @@ class ObjDocument {
  public:
   /// Reads the OBJ, its MTL files and the names of their textures.
   /// Throws Error(input) naming the file, and the line where there is one: file missing or empty,
-  /// a coordinate that is no finite number, no faces, an index out of range, a missing MTL or
-  /// texture.
+  /// a coordinate that is no finite number, no faces, a face with an index out of range or fewer
+  /// than three corners, a missing MTL or texture.
   static ObjDocument read(const std::filesystem::path& path);
 
   /// A document that is in no file: a surface without texture, such as the skin of a CT.
@@ -45,7 +45,8 @@ class ObjDocument {
   };
 
   static ObjDocument parse(const std::filesystem::path& path, std::string text);
-  void find_vertex_lines();
+  void find_vertex_lines();  ///< and checks their numbers, and those of texture coordinates
+  void check_faces() const;  ///< the parser passes over faces that it cannot use
   void find_materials();
   void read_faces();
   void weld_split_vertices();
@@ -53,7 +54,8 @@ class ObjDocument {
   std::filesystem::path path_;
   std::string text_;
   std::vector<VertexLine> vertex_lines_;
-  std::vector<int> welded_to_;  ///< for each vertex, the first at the same place
+  std::vector<std::size_t> texture_lines_;  ///< where the `vt` lines stand in the text
+  std::vector<int> welded_to_;              ///< for each vertex, the first at the same place
   std::vector<std::string> material_files_;
   std::vector<std::string> texture_files_;
   std::string material_text_;

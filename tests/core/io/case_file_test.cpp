@@ -1,0 +1,386 @@
+#include "io/case_file.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "base/error.h"
+#include "support/expect_error.h"
+#include "support/temporary_folder.h"
+
+namespace gnathion {
+namespace {
+
+namespace fs = std::filesystem;
+using Eigen::Vector3d;
+using test::expect_error;
+using test::TemporaryFolder;
+
+/// A case in which no value is the default.
+SurgicalCase full_case(const fs::path& folder) {
+  SurgicalCase plan;
+  plan.name = "Übung \"eins\"";
+  plan.ct = {folder / "CT Größe 1", "1.2.826.0.1"};
+  plan.bone.hu = 300;
+  plan.bone.minimum_component_volume = 500;
+  plan.skin.hu = -250;
+  plan.skin.edge_mm = 3;
+  plan.bone.remove_support = plan.skin.remove_support = false;
+  plan.bone.crop = plan.skin.crop = LpsBox{{-80, -120, -100}, {80, 90, 100}};
+  plan.cut = box_between({-60, -305, 322}, {65, -215, 369});
+  Similarity transform;
+  transform.scale = 50;
+  transform.rotation = Eigen::AngleAxisd(0.3, Vector3d(1, 2, -1).normalized()).toRotationMatrix();
+  transform.translation << 4, -61.25, 1. / 3;
+  plan.photograph = PhotographSource{folder / "photo 1" / "né.obj", transform};
+  plan.region.reach_mm = 42;
+  plan.region.vertices = {0, 7, 12};
+  plan.tissue = {Generator::paper, 6, 15, 4, {0.5, 0.49}, LoadModel::force};
+  plan.motion = {1, -2, 3.5, -4, 5, -6.25};
+  plan.pivot = Vector3d(0.1, -20, 33);
+  plan.landmarks["Pog' weich"] = Vector3d(0, -100.7, -60);
+  return plan;
+}
+
+void expect_equal(const std::optional<LpsBox>& a, const std::optional<LpsBox>& b) {
+  ASSERT_EQ(a.has_value(), b.has_value());
+  if (!a) return;
+  EXPECT_EQ(a->min, b->min);
+  EXPECT_EQ(a->max, b->max);
+}
+
+void expect_equal(const BoundedCut& a, const BoundedCut& b) {
+  ASSERT_EQ(a.index(), b.index());
+  if (const auto* box = std::get_if<BoxCut>(&a)) {
+    const auto& other = std::get<BoxCut>(b);
+    EXPECT_LT((box->centre - other.centre).norm(), 1e-12);
+    EXPECT_LT((box->half_extents - other.half_extents).norm(), 1e-12);
+    EXPECT_EQ(box->axes, other.axes);
+    return;
+  }
+  const auto &p = std::get<PlateCut>(a), &q = std::get<PlateCut>(b);
+  EXPECT_EQ(p.centre, q.centre);
+  EXPECT_EQ(p.normal, q.normal);
+  EXPECT_EQ(p.in_plane, q.in_plane);
+  EXPECT_EQ(p.seed, q.seed);
+  EXPECT_EQ(p.half_width, q.half_width);
+  EXPECT_EQ(p.half_height, q.half_height);
+  EXPECT_EQ(p.kerf, q.kerf);
+}
+
+void expect_equal(const SurgicalCase& a, const SurgicalCase& b) {
+  EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.ct.path, b.ct.path);
+  EXPECT_EQ(a.ct.series_uid, b.ct.series_uid);
+  EXPECT_EQ(a.bone.hu, b.bone.hu);
+  EXPECT_EQ(a.bone.minimum_component_volume, b.bone.minimum_component_volume);
+  EXPECT_EQ(a.bone.remove_support, b.bone.remove_support);
+  EXPECT_EQ(a.skin.hu, b.skin.hu);
+  EXPECT_EQ(a.skin.edge_mm, b.skin.edge_mm);
+  EXPECT_EQ(a.skin.remove_support, b.skin.remove_support);
+  expect_equal(a.bone.crop, b.bone.crop);
+  expect_equal(a.skin.crop, b.skin.crop);
+  expect_equal(a.cut, b.cut);
+  ASSERT_EQ(a.photograph.has_value(), b.photograph.has_value());
+  if (a.photograph) {
+    EXPECT_EQ(a.photograph->obj, b.photograph->obj);
+    const auto &s = a.photograph->lps_from_photograph, &t = b.photograph->lps_from_photograph;
+    EXPECT_EQ(s.scale, t.scale);
+    EXPECT_EQ(s.rotation, t.rotation);
+    EXPECT_EQ(s.translation, t.translation);
+  }
+  EXPECT_EQ(a.region.reach_mm, b.region.reach_mm);
+  EXPECT_EQ(a.region.vertices, b.region.vertices);
+  EXPECT_EQ(a.tissue.generator, b.tissue.generator);
+  EXPECT_EQ(a.tissue.depth_mm, b.tissue.depth_mm);
+  EXPECT_EQ(a.tissue.bone_reach_mm, b.tissue.bone_reach_mm);
+  EXPECT_EQ(a.tissue.released_mm, b.tissue.released_mm);
+  EXPECT_EQ(a.tissue.material.young_MPa, b.tissue.material.young_MPa);
+  EXPECT_EQ(a.tissue.material.poisson, b.tissue.material.poisson);
+  EXPECT_EQ(a.tissue.load, b.tissue.load);
+  EXPECT_EQ(a.motion, b.motion);
+  EXPECT_EQ(a.pivot, b.pivot);
+  EXPECT_EQ(a.landmarks, b.landmarks);
+}
+
+TEST(CaseFile, ComesBackAsItWasWritten) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "Fall Müller 1.json";
+  const SurgicalCase plan = full_case(folder.path());
+  write_case_file(plan, file);
+  expect_equal(read_case_file(file), plan);
+}
+
+TEST(CaseFile, APlateAndTheDefaultsComeBackToo) {
+  const TemporaryFolder folder;
+  SurgicalCase plan;
+  plan.ct.path = folder / "ct.nii.gz";
+  plan.cut = PlateCut{{1, -100, -70}, {0, 0.2, 1}, {1, 0, 0}, 40, 25, 0.75, {0, -100, -80}};
+  write_case_file(plan, folder / "case.json");
+  expect_equal(read_case_file(folder / "case.json"), plan);
+}
+
+TEST(CaseFile, MovesWithItsFilesWhenTheyLieBesideIt) {
+  const TemporaryFolder folder;
+  const fs::path before = folder / "before", after = folder / "after";
+  fs::create_directory(before);
+  SurgicalCase plan = full_case(before);
+  plan.ct.path = folder / "elsewhere";
+  write_case_file(plan, before / "case.json");
+  fs::rename(before, after);
+  const SurgicalCase read = read_case_file(after / "case.json");
+  EXPECT_EQ(read.photograph->obj, after / "photo 1" / "né.obj");
+  EXPECT_EQ(read.region.vertices, plan.region.vertices);
+  EXPECT_EQ(read.ct.path, folder / "elsewhere") << "what lies outside the folder stays there";
+}
+
+TEST(CaseFile, PathsAreRelativeToItsFolder) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("a/case.json", R"({"gnathion_case": 1, "ct": {"path": "../ct"},
+        "segment": {"box": {"min": [0, 0, 0], "max": [1, 1, 1]}},
+        "photograph": {"obj": "/abs/face.obj"}})");
+  const SurgicalCase plan = read_case_file(file);
+  EXPECT_EQ(plan.ct.path, folder.path() / "a" / ".." / "ct");
+  EXPECT_EQ(plan.photograph->obj, "/abs/face.obj");
+}
+
+TEST(CaseFile, WhatIsNotGivenHasTheDefault) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("case.json", R"({"gnathion_case": 1, "ct": {"path": "ct"},
+        "segment": {"box": {"min": [0, 0, 0], "max": [1, 2, 4]}}, "tissue": {"poisson": 0.4}})");
+  SurgicalCase plan;
+  plan.ct.path = folder / "ct";
+  plan.cut = box_between({0, 0, 0}, {1, 2, 4});
+  plan.tissue.material.poisson = 0.4;
+  expect_equal(read_case_file(file), plan);
+}
+
+TEST(CaseFile, RefusesToWriteATurnedBoxWhichItCannotSay) {
+  const TemporaryFolder folder;
+  SurgicalCase plan = full_case(folder.path());
+  std::get<BoxCut>(plan.cut).axes = Eigen::AngleAxisd(0.2, Vector3d::UnitX()).toRotationMatrix();
+  expect_error(ErrorKind::case_file, {"segment.box", "turned"},
+               [&] { write_case_file(plan, folder / "case.json"); });
+  EXPECT_FALSE(fs::exists(folder / "case.json"));
+}
+
+TEST(CaseFile, SaysWhenItCannotBeWritten) {
+  const TemporaryFolder folder;
+  SurgicalCase plan = full_case(folder.path());
+  expect_error(ErrorKind::output, {"none"},
+               [&] { write_case_file(plan, folder / "none/case.json"); });
+  plan.region.vertices.clear();
+  expect_error(ErrorKind::output, {"none/case.json"},
+               [&] { write_case_file(plan, folder / "none/case.json"); });
+}
+
+/// A section of a case file that is wrong, and the key that the message must name.
+struct BadCase {
+  std::string section, content, key;
+};
+
+std::string case_text(const BadCase& bad) {
+  std::map<std::string, std::string> sections{
+      {"gnathion_case", "1"},
+      {"ct", R"({"path": "ct"})"},
+      {"segment", R"({"box": {"min": [0, 0, 0], "max": [1, 1, 1]}})"}};
+  sections[bad.section] = bad.content;
+  std::string text = "{";
+  for (const auto& [name, content] : sections) {
+    if (content.empty()) continue;
+    text += (text == "{" ? "\"" : ",\n \"") + name + "\": " + content;
+  }
+  return text + "}\n";
+}
+
+void expect_refused(const BadCase& bad) {
+  SCOPED_TRACE(bad.section + " " + bad.content);
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("case.json", case_text(bad));
+  expect_error(ErrorKind::case_file, {"case.json: " + bad.key + ":"},
+               [&] { read_case_file(file); });
+}
+
+const std::string plate_start =
+    R"({"plate": {"centre": [0, 0, 0], "normal": [0, 0, 1], "seed": [0, 0, -9], )";
+const std::string plate = plate_start + R"("width_direction": [1, 0, 0])";
+
+TEST(CaseFile, TheTestsOwnPlateIsGood) {
+  const TemporaryFolder folder;
+  EXPECT_NO_THROW(
+      read_case_file(folder.write("case.json", case_text({"segment", plate + "}}", ""}))));
+}
+
+TEST(CaseFile, RefusesEveryUnknownKeyWithItsPath) {
+  for (const BadCase& bad : std::vector<BadCase>{
+           {"motions", "{}", "motions"},
+           {"ct", R"({"path": "ct", "uid": "1"})", "ct.uid"},
+           {"ct", R"({"path": "ct", "crop": {"min": [0,0,0], "max": [1,1,1], "hu": 1}})",
+            "ct.crop.hu"},
+           {"bone", R"({"HU": 3})", "bone.HU"},
+           {"skin", R"({"smooth": 3})", "skin.smooth"},
+           {"segment", R"({"box": {"min": [0,0,0], "max": [1,1,1]}, "kerf": 1})", "segment.kerf"},
+           {"segment", R"({"box": {"min": [0,0,0], "max": [1,1,1], "axes": 1}})",
+            "segment.box.axes"},
+           {"segment", plate + R"(, "kerf": 2}})", "segment.plate.kerf"},
+           {"photograph", R"({"obj": "a", "mtl": "b"})", "photograph.mtl"},
+           {"photograph", R"({"obj": "a", "transform": {"translation": [0,0,0]}})",
+            "photograph.transform.translation"},
+           {"region", R"({"reach": 3})", "region.reach"},
+           {"tissue", R"({"young_modulus": 3})", "tissue.young_modulus"},
+           {"motion", R"({"forward": 3})", "motion.forward"}}) {
+    expect_refused(bad);
+  }
+}
+
+TEST(CaseFile, RefusesEveryWrongTypeWithItsPath) {
+  for (const BadCase& bad : std::vector<BadCase>{
+           {"gnathion_case", "\"1\"", "gnathion_case"},
+           {"gnathion_case", "2", "gnathion_case"},
+           {"name", "7", "name"},
+           {"ct", "\"ct\"", "ct"},
+           {"ct", R"({"path": 3})", "ct.path"},
+           {"ct", R"({"path": "ct", "series_uid": 1.2})", "ct.series_uid"},
+           {"ct", R"({"path": "ct", "remove_support": "yes"})", "ct.remove_support"},
+           {"ct", R"({"path": "ct", "crop": [0, 1]})", "ct.crop"},
+           {"ct", R"({"path": "ct", "crop": {"min": [0, 0], "max": [1, 1, 1]}})", "ct.crop.min"},
+           {"bone", "[]", "bone"},
+           {"bone", R"({"hu": "250"})", "bone.hu"},
+           {"bone", R"({"smallest_piece_mm3": true})", "bone.smallest_piece_mm3"},
+           {"skin", R"({"hu": null})", "skin.hu"},
+           {"skin", R"({"edge_mm": [2]})", "skin.edge_mm"},
+           {"segment", "7", "segment"},
+           {"segment", R"({"box": 1})", "segment.box"},
+           {"segment", R"({"box": {"min": [0, 0, "0"], "max": [1, 1, 1]}})", "segment.box.min"},
+           {"segment", R"({"plate": []})", "segment.plate"},
+           {"segment", plate + R"(, "kerf_mm": "1"}})", "segment.plate.kerf_mm"},
+           {"photograph", "\"face.obj\"", "photograph"},
+           {"photograph", R"({"obj": ["a"]})", "photograph.obj"},
+           {"photograph", R"({"obj": "a", "transform": [1]})", "photograph.transform"},
+           {"photograph", R"({"obj": "a", "transform": {"scale": "50"}})",
+            "photograph.transform.scale"},
+           {"photograph", R"({"obj": "a", "transform": {"rotation": [1, 0, 0]}})",
+            "photograph.transform.rotation"},
+           {"photograph", R"({"obj": "a", "transform": {"translation_mm": 3}})",
+            "photograph.transform.translation_mm"},
+           {"region", "35", "region"},
+           {"region", R"({"reach_mm": "35"})", "region.reach_mm"},
+           {"region", R"({"vertices_file": [1, 2]})", "region.vertices_file"},
+           {"tissue", R"({"generator": 1})", "tissue.generator"},
+           {"tissue", R"({"load": false})", "tissue.load"},
+           {"tissue", R"({"depth_mm": "8"})", "tissue.depth_mm"},
+           {"tissue", R"({"bone_reach_mm": {}})", "tissue.bone_reach_mm"},
+           {"tissue", R"({"released_mm": "x"})", "tissue.released_mm"},
+           {"tissue", R"({"young_MPa": "1"})", "tissue.young_MPa"},
+           {"tissue", R"({"poisson": "0.46"})", "tissue.poisson"},
+           {"motion", "[8]", "motion"},
+           {"motion", R"({"forward_mm": "8"})", "motion.forward_mm"},
+           {"motion", R"({"up_mm": true})", "motion.up_mm"},
+           {"motion", R"({"left_mm": null})", "motion.left_mm"},
+           {"motion", R"({"pitch_deg": []})", "motion.pitch_deg"},
+           {"motion", R"({"roll_deg": {}})", "motion.roll_deg"},
+           {"motion", R"({"yaw_deg": "1"})", "motion.yaw_deg"},
+           {"motion", R"({"pivot": [1, 2, 3, 4]})", "motion.pivot"},
+           {"landmarks", R"({"chin": 3})", "landmarks.chin"}}) {
+    expect_refused(bad);
+  }
+}
+
+TEST(CaseFile, RefusesValuesOutOfRangeWithTheKeysPath) {
+  for (const BadCase& bad : std::vector<BadCase>{
+           {"ct", R"({"path": "ct", "crop": {"min": [0, 0, 0], "max": [1, 0, 1]}})", "ct.crop.min"},
+           {"bone", R"({"smallest_piece_mm3": 0})", "bone.smallest_piece_mm3"},
+           {"skin", R"({"edge_mm": -2})", "skin.edge_mm"},
+           {"segment", R"({"box": {"min": [0, 0, 2], "max": [1, 1, 1]}})", "segment.box.min"},
+           {"segment", plate + R"(, "half_width_mm": 0}})", "segment.plate.half_width_mm"},
+           {"segment", plate + R"(, "half_height_mm": -1}})", "segment.plate.half_height_mm"},
+           {"segment", plate + R"(, "kerf_mm": 0}})", "segment.plate.kerf_mm"},
+           {"segment", plate_start + R"("width_direction": [0, 0, -2]}})",
+            "segment.plate.width_direction"},
+           {"photograph", R"({"obj": "a", "transform": {"scale": 0}})",
+            "photograph.transform.scale"},
+           {"region", R"({"reach_mm": 0})", "region.reach_mm"},
+           {"tissue", R"({"generator": "tetgen"})", "tissue.generator"},
+           {"tissue", R"({"load": "pressure"})", "tissue.load"},
+           {"tissue", R"({"depth_mm": 0})", "tissue.depth_mm"},
+           {"tissue", R"({"bone_reach_mm": -20})", "tissue.bone_reach_mm"},
+           {"tissue", R"({"released_mm": -1})", "tissue.released_mm"},
+           {"tissue", R"({"young_MPa": 0})", "tissue.young_MPa"},
+           {"tissue", R"({"young_MPa": -1})", "tissue.young_MPa"},
+           {"tissue", R"({"poisson": 0.5})", "tissue.poisson"},
+           {"tissue", R"({"poisson": 0.7})", "tissue.poisson"},
+           {"tissue", R"({"poisson": -0.1})", "tissue.poisson"}}) {
+    expect_refused(bad);
+  }
+}
+
+TEST(CaseFile, RefusesATransformThatIsNoRotation) {
+  for (const char* rows : {"[[1, 0, 0], [0, 1, 0], [0, 0, -1]]",    // a mirror
+                           "[[50, 0, 0], [0, 50, 0], [0, 0, 50]]",  // a scale
+                           "[[1, 0.1, 0], [0, 1, 0], [0, 0, 1]]"}) {
+    expect_refused({"photograph",
+                    R"({"obj": "a", "transform": {"rotation": )" + std::string(rows) + "}}",
+                    "photograph.transform.rotation"});
+  }
+}
+
+TEST(CaseFile, RefusesBothCutsAndNone) {
+  expect_refused(
+      {"segment", R"({"box": {"min": [0,0,0], "max": [1,1,1]}, "plate": {}})", "segment.box"});
+  expect_refused({"segment", "{}", "segment.box"});
+}
+
+TEST(CaseFile, RefusesMissingKeysWithTheirPath) {
+  expect_refused({"gnathion_case", "", "gnathion_case"});
+  expect_refused({"ct", "", "ct"});
+  expect_refused({"ct", "{}", "ct.path"});
+  expect_refused({"segment", "", "segment"});
+  expect_refused({"segment", R"({"box": {"min": [0, 0, 0]}})", "segment.box.max"});
+  expect_refused({"segment", plate_start + R"("kerf_mm": 1}})", "segment.plate.width_direction"});
+  expect_refused({"photograph", "{}", "photograph.obj"});
+}
+
+TEST(CaseFile, RefusesWhatIsNoJsonObjectNamingThePlace) {
+  const TemporaryFolder folder;
+  expect_error(ErrorKind::input, {"none.json"}, [&] { read_case_file(folder / "none.json"); });
+  expect_error(ErrorKind::input, {folder.path().string()}, [&] { read_case_file(folder.path()); });
+  for (const auto& [text, part] : std::vector<std::pair<std::string, std::string>>{
+           {"{\n \"ct\": {,}}", "line 2, column 9"},
+           {"[1]", "object"},
+           {"{\"name\": \"a\xff\"}", "UTF-8"},
+           {"{\"motion\": {\"forward_mm\": 1e999}}", "1e999"},
+           {"{} {}", "line 1"}}) {
+    SCOPED_TRACE(text);
+    const fs::path file = folder.write("case.json", text);
+    expect_error(ErrorKind::case_file, {"case.json", part}, [&] { read_case_file(file); });
+  }
+}
+
+class VerticesFile : public ::testing::Test {
+ protected:
+  std::vector<int> read(const std::string& text) {
+    folder_.write("region.txt", text);
+    const fs::path file =
+        folder_.write("case.json", case_text({"region", R"({"vertices_file": "region.txt"})", ""}));
+    return read_case_file(file).region.vertices;
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(VerticesFile, HoldsNumbersSeparatedBySpacesOrLines) {
+  EXPECT_EQ(read("3 1\r\n4\n\t1 5"), (std::vector<int>{3, 1, 4, 1, 5}));
+}
+
+TEST_F(VerticesFile, RefusesEverythingElse) {
+  for (const char* bad : {"1 two 3", "1 2.5", "1 2 -", "1 2 99999999999", "0x10"}) {
+    SCOPED_TRACE(bad);
+    expect_error(ErrorKind::input, {"region.txt", "whole number"}, [&] { read(bad); });
+  }
+  expect_error(ErrorKind::input, {"region.txt", "no vertex"}, [&] { read(" \n"); });
+  fs::remove(folder_ / "region.txt");
+  const fs::path file = folder_ / "case.json";
+  expect_error(ErrorKind::input, {"region.txt"}, [&] { read_case_file(file); });
+}
+
+}  // namespace
+}  // namespace gnathion

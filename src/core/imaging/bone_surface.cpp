@@ -57,10 +57,14 @@ std::pair<Eigen::Array3i, Eigen::Array3i> occupied(const CtVolume& volume, doubl
   return {low, high};
 }
 
-/// False when nothing reaches the level.
+/// Copies the voxels that reach the level and, where the volume goes on, one more on each side: the
+/// surface lies between them, and its place needs both values. False when nothing reaches the
+/// level.
 bool fill_block(const CtVolume& volume, double hu, const HeadMask* head, PaddedBlock& block) {
-  const auto [low, high] = occupied(volume, hu);
-  if ((high < low).any()) return false;
+  const auto [lowest, highest] = occupied(volume, hu);
+  if ((highest < lowest).any()) return false;
+  const Eigen::Array3i low = (lowest - 1).max(0);
+  const Eigen::Array3i high = (highest + 1).min(volume.dims().array() - 1);
   const Eigen::Array3i size = high - low + 3;
   block.first = (low - 1).cast<double>();
   block.image->SetDimensions(size.x(), size.y(), size.z());
@@ -70,10 +74,9 @@ bool fill_block(const CtVolume& volume, double hu, const HeadMask* head, PaddedB
   for (int k = low.z(); k <= high.z(); ++k) {
     for (int j = low.y(); j <= high.y(); ++j) {
       const std::int16_t* row = volume.hu().data() + volume.index(0, j, k);
-      std::int16_t* to =
-          out +
-          ((k - low.z() + 1) * static_cast<std::ptrdiff_t>(size.y()) + j - low.y() + 1) * size.x() +
-          1;
+      const std::ptrdiff_t line =
+          (k - low.z() + 1) * static_cast<std::ptrdiff_t>(size.y()) + j - low.y() + 1;
+      std::int16_t* to = out + line * size.x() + 1;
       for (int i = low.x(); i <= high.x(); ++i, ++to) {
         const bool dropped = row[i] >= hu && head &&
                              head->at(volume.lps(Eigen::Vector3d(i, j, k))) == HeadMask::support;

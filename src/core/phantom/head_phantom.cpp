@@ -153,7 +153,7 @@ PhantomTruth phantom_truth() {
       (truth.landmarks.at("condyle_left") + truth.landmarks.at("condyle_right")) / 2;
   truth.lps_from_photograph = photograph_to_lps();
   truth.mandible_box_min = {-62, -104, -92};
-  truth.mandible_box_max = {62, -6, -42 - HeadModel::joint_gap / 2};
+  truth.mandible_box_max = {62, -36, -42 - HeadModel::joint_gap / 2};
   return truth;
 }
 

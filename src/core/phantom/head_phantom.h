@@ -33,8 +33,9 @@ struct PhantomTruth {
   RigidMotion mandible_frame;
   /// From the photograph's own frame (mm, y up, z forwards) to LPS.
   Similarity lps_from_photograph;
-  /// A box that holds the whole mandible with the lower teeth up to half the resting gap, so also
-  /// the lower half of the rami, and nothing of spine or upper teeth.
+  /// A box for the usual osteotomy: it holds the mandible's body with chin and lower teeth, up to
+  /// half the resting gap and back to behind the last molars, and no other bone. Rami and angles
+  /// stay with the skull.
   Eigen::Vector3d mandible_box_min;
   Eigen::Vector3d mandible_box_max;
 };

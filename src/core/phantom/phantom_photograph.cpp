@@ -20,14 +20,16 @@ namespace {
 constexpr double margin = 0.02;  // of the texture, around the grid
 
 /// The rays of the camera: from outside to an axis in the head, fanning out so that they meet the
-/// underside of nose and chin too. u, v in [−1, 1]: right to left, bottom to top.
+/// underside of nose and chin too. The axis bends back into the neck, so that the photograph goes
+/// on behind the jaw's angle, below the ear: its rim should not lie on bone that is to be moved.
+/// u, v in [−1, 1]: right to left, bottom to top.
 struct Camera {
-  static constexpr double half_angle = 86;
-
-  static Vector3d target(double v) { return {0, -22, v * 46}; }
+  static Vector3d target(double v) {
+    return v > 0 ? Vector3d(0, -22, 11 + 35 * v) : Vector3d(0, -22 - 27 * v, 11 + 91 * v);
+  }
   static Vector3d outward(double u, double v) {
-    const double side = u * half_angle * M_PI / 180;
-    const double up = (-14 + 46 * v) * M_PI / 180;
+    const double side = u * (86 + 24 * std::max(0.0, -v)) * M_PI / 180;
+    const double up = (-20 + (v > 0 ? 52 : 22) * v) * M_PI / 180;
     return {std::sin(side) * std::cos(up), -std::cos(side) * std::cos(up), std::sin(up)};
   }
 };
@@ -95,7 +97,7 @@ Parameters grid_parameters(const HeadModel& head, double edge) {
 void relax(const HeadModel& head, PhantomPhotograph& photo, unsigned threads, Progress& progress) {
   const int columns = photo.columns;
   Points next = photo.grid;
-  for (int round = 0; round < 6; ++round) {
+  for (int round = 0; round < 12; ++round) {
     for_each_row(photo.rows - 2, threads, progress, [&](int row) {
       for (int c = 1; c + 1 < columns; ++c) {
         const int i = (row + 1) * columns + c;
@@ -118,9 +120,7 @@ void keep_oval(const Parameters& parameters, PhantomPhotograph& photo) {
   const auto inside = [&](int r, int c) {
     const double u = parameters.u[static_cast<std::size_t>(c)];
     const double v = parameters.v[static_cast<std::size_t>(r)];
-    // Narrower below, so as to end before the groove between jaw and neck.
-    const double side = u * (v < 0 ? 1 + 0.25 * v * v : 1);
-    return std::pow(std::abs(side), 2.6) + std::pow(std::abs(v), 2.6) < 0.998;
+    return std::pow(std::abs(u), 3) + std::pow(std::abs(v), 3) < 0.998;
   };
   std::vector<std::vector<int>> grid_faces;
   for (int r = 0; r + 1 < photo.rows; ++r) {

@@ -70,7 +70,7 @@ double lips(const Point& p) {
                                                                       {{24.5, -88.2, -42}, 1.8},
                                                                       {{33, -76, -40}, 1}}},
                                                  4);
-  return smooth_union(tube(p, upper), tube(p, lower), 1.0);
+  return smooth_union(tube(p, upper), tube(p, lower), 3.0);
 }
 
 /// Where the lips touch.
@@ -83,7 +83,7 @@ double lip_line(const Point& p) {
                                                                      {{25, -94, -41.9}, 0},
                                                                      {{30, -90, -42}, 0}}},
                                                 3);
-  return 1.5 * (1 - 0.75 * std::min(1.0, p.x() / 25)) * ridge(p, line, 1.2);
+  return 1.2 * (1 - 0.7 * std::min(1.0, p.x() / 25)) * ridge(p, line, 1.7);
 }
 
 /// How far the open eye lies behind the lids' edges.
@@ -150,7 +150,7 @@ double HeadModel::skin(const Point& point) const {
   d = smooth_union(d, nose(p), 7);
   d = smooth_union(d, lips(p), 8);
   d += lip_line(p);
-  d = smooth_difference(d, ellipsoid(p, {6.4, -110.5, -22}, {2.8, 5, 3.8}), 2);
+  d = smooth_difference(d, ellipsoid(p, {6.4, -110.5, -22.5}, {3, 5, 3.4}), 3.5);
   if (p.x() > 50) {
     d = smooth_union(d, ear(p), 5);
   }

@@ -307,12 +307,15 @@ TEST_F(DefaultCase, TheMandibleIsSeparateFromTheSkull) {
   EXPECT_LT(millilitres, 120);
 }
 
-TEST_F(DefaultCase, TheRecommendedBoxHoldsTheMandibleAndNothingElse) {
+TEST_F(DefaultCase, TheRecommendedBoxHoldsTheMandiblesBodyAndNothingElse) {
   const HeadModel head;
   const auto bone = component(landmark("pogonion") + Vector3d(0, 1.5, 0), 250,
                               truth_->mandible_box_min, truth_->mandible_box_max);
   EXPECT_TRUE(bone[index(voxel(landmark("menton") + Vector3d(0, 0, 1.5)))]);
-  EXPECT_TRUE(bone[index(voxel(landmark("gonion_left") + Vector3d(0, -1.5, 1.5)))]);
+  for (const double side : {-1, 1}) {
+    EXPECT_TRUE(bone[index(voxel({side * 27, -57, -49}))]) << "last molar";
+    EXPECT_FALSE(bone[index(voxel({side * 46, -24, -60}))]) << "angle";
+  }
   EXPECT_TRUE(bone[index(voxel(landmark("lower_incisor_edge") - Vector3d(0, 0, 3)))]);
   for (int k = 0; k < volume_->size.z(); ++k) {
     for (int j = 0; j < volume_->size.y(); ++j) {

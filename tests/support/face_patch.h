@@ -146,8 +146,8 @@ inline TriangleMesh hard_patch(int kind, unsigned seed) {
 
 /// A whole mesh as a region.
 inline IntermediateMesh whole_region(const TriangleMesh& mesh) {
-  IntermediateMesh region{mesh, {}, edges_of(mesh), {}};
-  region.rim = rim_vertices(mesh, region.edges);
+  IntermediateMesh region{mesh, {}, edges_of(mesh), {}, {}, {}};
+  region.rim = region.held = rim_vertices(mesh, region.edges);
   for (int i = 0; i < mesh.vertices.rows(); ++i) region.face_vertex.push_back(i);
   return region;
 }

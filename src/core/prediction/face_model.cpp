@@ -27,8 +27,8 @@ void set_supports(const TissueModel& model, const BspTree& segment, const BspTre
   for (int v = 0; v < tissue.surface_count; ++v) {
     Support& inner = problem.supports[tissue.inner(v)];
     const Underlying bone = problem.bone_below[v];
-    if (problem.region.rim[v]) problem.supports[v] = inner = Support::fixed;
-    if (problem.region.rim[v] || model.load == LoadModel::force || bone == Underlying::none) {
+    if (problem.region.held[v]) problem.supports[v] = inner = Support::fixed;
+    if (problem.region.held[v] || model.load == LoadModel::force || bone == Underlying::none) {
       continue;
     }
     const BspTree& other = bone == Underlying::segment ? skull : segment;
@@ -64,7 +64,7 @@ std::vector<int> forced_points(const TissueProblem& problem) {
   std::vector<int> forced;
   for (const BoneLink& link : problem.links) {
     for (const int v : problem.region.mesh.triangles.row(link.triangle)) {
-      if (!problem.region.rim[v]) forced.push_back(v);
+      if (!problem.region.held[v]) forced.push_back(v);
     }
   }
   std::sort(forced.begin(), forced.end());
@@ -115,8 +115,8 @@ constexpr double kNearRim = 15;
 
 double rim_distance(const IntermediateMesh& region, const BspTree& segment) {
   double least = 1e3;
-  for (std::size_t v = 0; v < region.rim.size(); ++v) {
-    if (!region.rim[v]) continue;
+  for (std::size_t v = 0; v < region.held.size(); ++v) {
+    if (!region.held[v]) continue;
     const auto nearest =
         segment.nearest(region.mesh.vertices.row(static_cast<Eigen::Index>(v)), least);
     if (nearest) least = nearest->distance;
@@ -136,6 +136,12 @@ TissueProblem build_tissue(const Anatomy& anatomy, const RegionChoice& choice,
   {
     const auto stage = progress.stage("region");
     problem.region = choose_region(anatomy.face.mesh.surface, choice, segment);
+    if (model.generator == Generator::robust) {
+      Unfolding unfolding = unfold(problem.region);
+      problem.region = std::move(unfolding.region);
+      problem.unfolded_count = unfolding.moved_count;
+      problem.unfolded_mm = unfolding.largest_move;
+    }
     problem.rim_to_segment = rim_distance(problem.region, segment);
     if (problem.rim_to_segment < kNearRim) {
       progress.notice("the fixed rim of the region comes within " +
@@ -166,7 +172,7 @@ FaceModel::FaceModel(const Anatomy& anatomy, const RegionChoice& region, const T
   solver_ =
       std::make_unique<StaticSolver>(tissue.mesh, model.material, problem_.supports, progress);
   const auto stage = progress.stage("response basis");
-  surface_map_ = index_map(problem_.region, rest_face_.rows());
+  surface_map_ = index_map(problem_.region, rest_face_);
   if (load_ == LoadModel::displacement) {
     basis_ = response_basis(*solver_, tissue.mesh.vertices, anatomy.pivot);
     face_basis_ = {compose(surface_map_, basis_.columns(), moving_vertices_), anatomy.pivot};

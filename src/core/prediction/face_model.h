@@ -7,6 +7,7 @@
 #include "tissue/bone_map.h"
 #include "tissue/st_generator.h"
 #include "tissue/surface_map.h"
+#include "tissue/unfold.h"
 
 namespace gnathion {
 
@@ -21,6 +22,8 @@ struct TissueProblem {
   int attached_count = 0;     ///< inner nodes that follow the segment
   int on_skull_count = 0;     ///< inner nodes held by other bone
   int released_count = 0;     ///< inner nodes on bone next to the cut, which does not hold them
+  int unfolded_count = 0;     ///< vertices that were smoothed at folds before meshing
+  double unfolded_mm = 0;     ///< by at most this
   double rim_to_segment = 0;  ///< mm, smallest distance from the rim to the moving bone
 };
 

@@ -26,6 +26,8 @@ json sizes_json(const Anatomy& anatomy, const FaceModel& model) {
           {"region_vertices", problem.region.mesh.vertices.rows()},
           {"region_triangles", problem.region.mesh.triangles.rows()},
           {"region_mean_edge_mm", mean_edge_length(problem.region.mesh)},
+          {"region_vertices_smoothed_at_folds", problem.unfolded_count},
+          {"region_smoothed_at_folds_by_mm", problem.unfolded_mm},
           {"rim_to_segment_mm", problem.rim_to_segment},
           {"bone_links", problem.links.size()},
           {"tissue_nodes", problem.tissue.mesh.vertices.rows()},

@@ -1,9 +1,11 @@
 #include "tissue/intermediate_mesh.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
 
 #include "base/error.h"
+#include "tissue/hidden.h"
 
 namespace gnathion {
 namespace {
@@ -61,7 +63,7 @@ bool drop_hanging_triangles(const TriangleMesh& face, std::vector<bool>& keep) {
 
 IntermediateMesh make_region(const TriangleMesh& face, const std::vector<bool>& keep) {
   SubMesh part = sub_mesh(face, keep);
-  IntermediateMesh region{std::move(part.mesh), std::move(part.parent_vertex), {}, {}};
+  IntermediateMesh region{std::move(part.mesh), std::move(part.parent_vertex), {}, {}, {}, {}};
   region.edges = edges_of(region.mesh, kSubject);
   region.rim = rim_vertices(region.mesh, region.edges);
   if (std::find(region.rim.begin(), region.rim.end(), true) == region.rim.end()) {
@@ -69,7 +71,62 @@ IntermediateMesh make_region(const TriangleMesh& face, const std::vector<bool>& 
                 "it has no rim: the whole surface was chosen, so nothing would hold the face",
                 "choose a smaller region (region.reach_mm, or fewer vertices)");
   }
+  region.held = region.rim;
   return region;
+}
+
+/// The start of every rim vertex's loop, by following rim edges; −1 for the others.
+std::vector<int> rim_loops(const IntermediateMesh& region) {
+  std::vector<int> next(region.rim.size(), -1), loop(region.rim.size(), -1);
+  for (const Edge& edge : region.edges) {
+    if (edge.right == -1) next[edge.a] = edge.b;
+  }
+  for (int start = 0; start < static_cast<int>(next.size()); ++start) {
+    for (int v = start; v != -1 && next[v] != -1 && loop[v] == -1; v = next[v]) loop[v] = start;
+  }
+  return loop;
+}
+
+/// Lets go of loops shorter than half the longest: holes within the region.
+void free_holes(IntermediateMesh& region) {
+  const std::vector<int> loop = rim_loops(region);
+  std::map<int, double> length;
+  for (const Edge& edge : region.edges) {
+    if (edge.right != -1) continue;
+    length[loop[edge.a]] +=
+        (region.mesh.vertices.row(edge.a) - region.mesh.vertices.row(edge.b)).norm();
+  }
+  double longest = 0;
+  for (const auto& [start, mm] : length) longest = std::max(longest, mm);
+  for (std::size_t v = 0; v < loop.size(); ++v) {
+    region.held[v] = loop[v] != -1 && length[loop[v]] >= longest / 2;
+  }
+}
+
+/// The vertices of the face outside the region that are cut off by it: connected pieces of the rest
+/// of the face that lie wholly within reach.
+std::vector<int> enclosed_vertices(const TriangleMesh& face, const std::vector<int>& region,
+                                   const std::vector<bool>& near) {
+  std::vector<bool> done(near.size(), false);
+  for (const int v : region) done[v] = true;
+  const auto neighbours = vertex_neighbours(face);
+  std::vector<int> enclosed;
+  for (int start = 0; start < static_cast<int>(near.size()); ++start) {
+    if (done[start] || neighbours[start].empty()) continue;
+    std::vector<int> piece{start};
+    done[start] = true;
+    bool within = true;
+    for (std::size_t k = 0; k < piece.size(); ++k) {
+      within = within && near[piece[k]];
+      for (const int w : neighbours[piece[k]]) {
+        if (done[w]) continue;
+        done[w] = true;
+        piece.push_back(w);
+      }
+    }
+    if (within) enclosed.insert(enclosed.end(), piece.begin(), piece.end());
+  }
+  return enclosed;
 }
 
 }  // namespace
@@ -79,7 +136,10 @@ IntermediateMesh suggest_region(const TriangleMesh& face, const BspTree& segment
   for (Eigen::Index v = 0; v < face.vertices.rows(); ++v) {
     near[v] = segment.nearest(face.vertices.row(v), reach).has_value();
   }
-  std::vector<bool> keep = inside_triangles(face, near);
+  const std::vector<bool> hidden = hidden_vertices(face, near);
+  std::vector<bool> chosen(near.size());
+  for (std::size_t v = 0; v < near.size(); ++v) chosen[v] = near[v] && !hidden[v];
+  std::vector<bool> keep = inside_triangles(face, chosen);
   int pieces = keep_largest_piece(face, keep);
   while (pieces > 0 && drop_hanging_triangles(face, keep)) pieces = keep_largest_piece(face, keep);
   if (pieces == 0) {
@@ -88,7 +148,10 @@ IntermediateMesh suggest_region(const TriangleMesh& face, const BspTree& segment
         "no part of the face is within " + std::to_string(reach) + " mm of the bone segment",
         "check the photograph's transform and unit, or raise region.reach_mm");
   }
-  return make_region(face, keep);
+  IntermediateMesh region = make_region(face, keep);
+  free_holes(region);
+  region.enclosed = enclosed_vertices(face, region.face_vertex, near);
+  return region;
 }
 
 IntermediateMesh region_of_vertices(const TriangleMesh& face, const std::vector<int>& vertices) {

@@ -247,8 +247,10 @@ std::vector<Fault> widened(const std::vector<Fault>& faults,
 
 /// One round of repair: too thin tissue gets thicker, and where inner vertices have passed each
 /// other each goes half way to the middle of its neighbours and a little towards the surface.
+/// `most`: depth that no vertex exceeds, mm.
 void repair(const IntermediateMesh& region, const std::vector<std::vector<int>>& neighbours,
-            const std::vector<Fault>& faults, double shrink, SoftTissueMesh& tissue) {
+            const std::vector<Fault>& faults, const Eigen::VectorXd& most, double shrink,
+            SoftTissueMesh& tissue) {
   const auto inner = tissue.mesh.vertices.middleRows(tissue.surface_count, tissue.surface_count);
   const Points before = inner;
   for (int v = 0; v < tissue.surface_count; ++v) {
@@ -256,7 +258,8 @@ void repair(const IntermediateMesh& region, const std::vector<std::vector<int>>&
     const Eigen::RowVector3d surface = region.mesh.vertices.row(v);
     Eigen::RowVector3d goal = before.row(v);
     if (faults[v] == Fault::too_thin) {
-      goal = surface + (goal - surface) / shrink;
+      // Only so far: tissue that a little more depth does not mend is tangled.
+      goal = surface + (goal - surface) * std::min(1 / shrink, most[v] / (goal - surface).norm());
     } else {
       Eigen::RowVector3d middle = Eigen::RowVector3d::Zero();
       for (const int w : neighbours[v]) middle += before.row(w);
@@ -286,6 +289,7 @@ SoftTissueMesh st_generator(const IntermediateMesh& region, const Points& direct
       region.mesh.vertices + tissue.depth.asDiagonal() * directions;
   const Points weights = centre_weights(region.mesh);
   const Eigen::VectorXd area = triangle_area_at_vertices(region.mesh);
+  const Eigen::VectorXd most = (1.5 * tissue.depth).cwiseMax(2 * mean_edge_length(region.mesh));
   constexpr int kWidenAfter = 8;  // rounds: a tangle that lasts takes in its neighbourhood
   for (int round = 0;; ++round) {
     place_centre_points(region, weights, tissue);
@@ -296,7 +300,7 @@ SoftTissueMesh st_generator(const IntermediateMesh& region, const Points& direct
       refuse_fold(region.mesh.vertices.row(worst - faults.begin()));
     }
     for (int ring = 0; ring < round / kWidenAfter; ++ring) faults = widened(faults, neighbours);
-    repair(region, neighbours, faults, options.shrink, tissue);
+    repair(region, neighbours, faults, most, options.shrink, tissue);
   }
 }
 

@@ -7,11 +7,13 @@
 namespace gnathion {
 
 /// The surface map W (paper, 4.2.1): |face| × |intermediate|, so that displacements of the face are
-/// W times those of the intermediate mesh. By index: row face_vertex[i] has a one in column i, the
-/// other rows are empty.
+/// W times those of the intermediate mesh.
 using SurfaceMap = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-SurfaceMap index_map(const IntermediateMesh& region, Eigen::Index face_vertex_count);
+/// W by index: row face_vertex[i] has a one in column i. Rows of enclosed vertices (the inside of
+/// the mouth) hold weights of the nearest six vertices of the region, by inverse squared distance,
+/// sum 1. The other rows are empty. `face`: the rest positions of the whole face, n×3.
+SurfaceMap index_map(const IntermediateMesh& region, const Points& face);
 
 /// W ⊗ I₃ times a basis whose rows are 3i+axis (first |intermediate| points of it), for the rows of
 /// W that are not empty: 3k×c. `rows` receives their k face vertices.

@@ -15,7 +15,7 @@ IntermediateMesh three_of_six() {
 }
 
 TEST(SurfaceMap, PutsDisplacementsOnTheFacesOwnVertices) {
-  const SurfaceMap W = index_map(three_of_six(), 6);
+  const SurfaceMap W = index_map(three_of_six(), Points::Zero(6, 3));
   ASSERT_EQ(W.rows(), 6);
   ASSERT_EQ(W.cols(), 3);
   EXPECT_EQ(W.nonZeros(), 3);
@@ -28,7 +28,7 @@ TEST(SurfaceMap, PutsDisplacementsOnTheFacesOwnVertices) {
 }
 
 TEST(SurfaceMap, ComposedWithABasisEqualsTheMapOfItsDisplacements) {
-  const SurfaceMap W = index_map(three_of_six(), 6);
+  const SurfaceMap W = index_map(three_of_six(), Points::Zero(6, 3));
   const Eigen::MatrixXd basis =
       Eigen::MatrixXd::Random(3 * 5, 4);  // five nodes, three of them skin
   std::vector<int> rows;
@@ -46,9 +46,25 @@ TEST(SurfaceMap, ComposedWithABasisEqualsTheMapOfItsDisplacements) {
   }
 }
 
+TEST(SurfaceMap, EnclosedVerticesGoAlongWithTheNearest) {
+  IntermediateMesh region = testing::whole_region(testing::flat_disk(100, 36, 2));
+  Points face(101, 3);
+  face.topRows(100) = region.mesh.vertices;
+  face.row(100) = region.mesh.vertices.row(44) + Eigen::RowVector3d(0.1, 0, -1);
+  region.enclosed = {100};
+  const SurfaceMap W = index_map(region, face);
+  // A motion of all is a motion of the enclosed vertex too; one of its neighbour moves it most.
+  const Eigen::RowVector3d shift(1, 2, 3);
+  const Points moved = W * Points(shift.replicate(100, 1));
+  EXPECT_LT((moved.row(100) - shift).norm(), 1e-12);
+  Eigen::VectorXd::Index heaviest = 0;
+  Eigen::VectorXd(W.row(100).transpose()).maxCoeff(&heaviest);
+  EXPECT_EQ(heaviest, 44);
+}
+
 TEST(SurfaceMap, OfAWholeFaceIsTheIdentity) {
   const IntermediateMesh region = testing::whole_region(testing::flat_disk(100, 36, 2));
-  const SurfaceMap W = index_map(region, 100);
+  const SurfaceMap W = index_map(region, region.mesh.vertices);
   const Points u = Points::Random(100, 3);
   EXPECT_EQ(Points(W * u), u);
 }

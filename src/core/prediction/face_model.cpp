@@ -59,6 +59,14 @@ void require_clean(const SoftTissueMesh& tissue) {
               "use the generator \"robust\", or a smaller tissue.depth_mm");
 }
 
+/// Of force transfer.
+void require_translation(const RigidMotion& motion) {
+  if (motion.rotation.isIdentity(1e-12)) return;
+  throw Error(ErrorKind::case_file, "tissue.load",
+              "force transfer has one force for all points of the bone and cannot turn it",
+              "set the rotations to 0, or use \"displacement\"");
+}
+
 /// Surface vertices that a link meets, without those on the rim, ascending.
 std::vector<int> forced_points(const TissueProblem& problem) {
   std::vector<int> forced;
@@ -203,17 +211,14 @@ Points FaceModel::tissue_displacements(const RigidMotion& motion) const {
     basis_.displacements(motion, u);
     return u;
   }
-  if (!motion.rotation.isIdentity(1e-12)) {
-    throw Error(ErrorKind::case_file, "tissue.load",
-                "force transfer has one force for all points of the bone and cannot turn it",
-                "set the rotations to 0, or use \"displacement\"");
-  }
+  require_translation(motion);
   return force_basis_.displacements(motion.translation).displacements;
 }
 
 StaticSolution FaceModel::solve(const RigidMotion& motion) const {
   const Points& x = problem_.tissue.mesh.vertices;
   Points forces = Points::Zero(x.rows(), 3);
+  if (load_ == LoadModel::force) require_translation(motion);
   if (load_ == LoadModel::force && !motion.translation.isZero(0)) {
     const Eigen::Vector3d direction = motion.translation.normalized();
     const double force = force_basis_.displacements(motion.translation).force_N;

@@ -1,0 +1,441 @@
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "support/temporary_folder.h"
+
+namespace gnathion {
+namespace {
+
+namespace fs = std::filesystem;
+using Eigen::Vector3d;
+using nlohmann::json;
+using test::bytes_of;
+
+struct CliRun {
+  int code = -1;
+  std::string out, err;
+};
+
+std::string read_all(int descriptor, const std::function<void(const std::string&)>& heard) {
+  std::string text;
+  std::array<char, 4096> block;
+  for (ssize_t size = 0; (size = read(descriptor, block.data(), block.size())) > 0;) {
+    text.append(block.data(), static_cast<std::size_t>(size));
+    heard(text);
+  }
+  close(descriptor);
+  return text;
+}
+
+/// Runs gnathion-cli in `folder` without a display. `heard` is told its process and what it has
+/// said so far on stderr.
+CliRun run_cli(const fs::path& folder, std::vector<std::string> arguments,
+               const std::function<void(pid_t, const std::string&)>& heard = {}) {
+  arguments.insert(arguments.begin(), GNATHION_CLI);
+  std::vector<char*> raw;
+  for (std::string& argument : arguments) raw.push_back(argument.data());
+  raw.push_back(nullptr);
+  const fs::path out = folder / ".stdout";
+  std::array<int, 2> err{};
+  if (pipe(err.data()) != 0) throw std::runtime_error("no pipe");
+  const pid_t child = fork();
+  if (child == 0) {
+    unsetenv("DISPLAY");
+    unsetenv("WAYLAND_DISPLAY");
+    dup2(open(out.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600), STDOUT_FILENO);
+    dup2(err[1], STDERR_FILENO);
+    close(err[0]);
+    if (chdir(folder.c_str()) == 0) execv(raw[0], raw.data());
+    _exit(127);
+  }
+  close(err[1]);
+  CliRun run;
+  run.err = read_all(err[0], [&](const std::string& text) {
+    if (heard) heard(child, text);
+  });
+  int status = 0;
+  waitpid(child, &status, 0);
+  run.code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  run.out = bytes_of(out);
+  fs::remove(out);
+  return run;
+}
+
+std::vector<std::string> names_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// Rows of the `v` lines.
+std::vector<Vector3d> vertices_of(const fs::path& obj) {
+  std::vector<Vector3d> vertices;
+  std::istringstream lines(bytes_of(obj));
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("v ", 0) != 0) continue;
+    std::istringstream numbers(line.substr(2));
+    Vector3d v;
+    numbers >> v[0] >> v[1] >> v[2];
+    vertices.push_back(v);
+  }
+  return vertices;
+}
+
+std::string without_vertex_lines(const fs::path& obj) {
+  std::string rest;
+  std::istringstream lines(bytes_of(obj));
+  for (std::string line; std::getline(lines, line);)
+    rest += line.rfind("v ", 0) == 0 ? "v\n" : line + "\n";
+  return rest;
+}
+
+Vector3d vector_of(const json& array) {
+  return {array[0].get<double>(), array[1].get<double>(), array[2].get<double>()};
+}
+
+/// The demo case, made and predicted once by the program itself, in a folder whose name has blanks
+/// and accents.
+class Cli : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    temporary_ = std::make_unique<test::TemporaryFolder>();
+    fs::create_directory(folder());
+    demo_run_ = run_cli(folder(), {"demo-case", "demo"});
+    predict_run_ = run_cli(folder(), {"predict", "demo/case.json", "out"});
+  }
+  static void TearDownTestSuite() { temporary_.reset(); }
+
+  static fs::path folder() { return temporary_->path() / "Fälle von heute"; }
+  static fs::path demo() { return folder() / "demo"; }
+
+  /// The demo case with some change, as a case file beside it.
+  static std::string changed_case(const std::string& name,
+                                  const std::function<void(json&)>& change) {
+    json plan = json::parse(bytes_of(demo() / "case.json"));
+    change(plan);
+    temporary_->write("Fälle von heute/demo/" + name, plan.dump(2));
+    return "demo/" + name;
+  }
+
+  /// Runs a verb that must fail with this code and one line that names `parts`, and leave nothing.
+  static void expect_failure(int code, const std::vector<std::string>& parts,
+                             const std::vector<std::string>& arguments) {
+    const std::vector<std::string> before = names_in(folder());
+    std::vector<std::string> quiet = arguments;
+    quiet.insert(quiet.begin(), "-q");
+    const CliRun run = run_cli(folder(), quiet);
+    EXPECT_EQ(run.code, code) << run.err;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_EQ(run.err.rfind("gnathion-cli: ", 0), 0U) << run.err;
+    EXPECT_NE(run.err.find("; "), std::string::npos) << "no remedy in: " << run.err;
+    for (const std::string& part : parts) {
+      EXPECT_NE(run.err.find(part), std::string::npos) << "no \"" << part << "\" in: " << run.err;
+    }
+    EXPECT_EQ(run.err.find("SYNTHETIC"), std::string::npos) << run.err;
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(names_in(folder()), before) << "something was left behind";
+  }
+
+  static inline std::unique_ptr<test::TemporaryFolder> temporary_;
+  static inline CliRun demo_run_, predict_run_;
+};
+
+TEST_F(Cli, DemoCaseWritesACaseThatIsWellFormed) {
+  EXPECT_EQ(demo_run_.code, 0) << demo_run_.err;
+  EXPECT_EQ(names_in(demo()).size(), 4U);
+  const CliRun check = run_cli(folder(), {"check", "demo/case.json"});
+  EXPECT_EQ(check.code, 0) << check.err;
+  EXPECT_NE(check.out.find("well formed"), std::string::npos);
+}
+
+TEST_F(Cli, PredictWritesFacePicturesAndReportWithoutADisplay) {
+  ASSERT_EQ(predict_run_.code, 0) << predict_run_.err;
+  const std::vector<std::string> names = names_in(folder() / "out");
+  for (const char* name : {"predicted.obj", "face.mtl", "face.png", "report.json", "tissue.vtu",
+                           "before.png", "after.png", "colour_map.png"}) {
+    EXPECT_TRUE(std::binary_search(names.begin(), names.end(), name)) << name;
+    EXPECT_NE(predict_run_.out.find(name), std::string::npos) << name << " is not told";
+  }
+  for (const char* name : {"before.png", "after.png", "colour_map.png"}) {
+    const std::string picture = bytes_of(folder() / "out" / name);
+    EXPECT_EQ(picture.substr(1, 3), "PNG") << name;
+    EXPECT_GT(picture.size(), 5000U) << name;
+  }
+  EXPECT_NE(bytes_of(folder() / "out/before.png"), bytes_of(folder() / "out/after.png"));
+}
+
+TEST_F(Cli, PredictChangesNothingButTheVerticesCoordinates) {
+  const fs::path photograph = demo() / "photograph", out = folder() / "out";
+  EXPECT_EQ(without_vertex_lines(out / "predicted.obj"),
+            without_vertex_lines(photograph / "face.obj"));
+  EXPECT_NE(bytes_of(out / "predicted.obj"), bytes_of(photograph / "face.obj"));
+  EXPECT_EQ(bytes_of(out / "face.png"), bytes_of(photograph / "face.png"));
+  EXPECT_EQ(bytes_of(out / "face.mtl"), bytes_of(photograph / "face.mtl"));
+}
+
+TEST_F(Cli, ReportHoldsWhatWasMeasured) {
+  const json report = json::parse(bytes_of(folder() / "out/report.json"));
+  EXPECT_LT(report.at("relative_residual").get<double>(), 1e-8);
+  EXPECT_LT(report.at("basis_against_direct_solve").get<double>(), 1e-12);
+  EXPECT_EQ(report.at("element_quality").at("inverted"), 0);
+  EXPECT_GT(report.at("sizes").at("tets").get<int>(), 10000);
+  EXPECT_EQ(report.at("inputs").at("ct_sha256").get<std::string>().size(), 64U);
+  EXPECT_EQ(report.at("inputs").at("photograph_sha256").size(), 3U);
+  const double chin = report.at("landmarks").at("pogonion_soft").at("ratio_to_bone");
+  const double lip = report.at("landmarks").at("upper_lip").at("ratio_to_bone");
+  EXPECT_GT(chin, 0.8);
+  EXPECT_LT(chin, 1.1);
+  EXPECT_LT(lip, 0.5 * chin);
+  for (const char* key : {"program", "seconds", "peak_memory_MiB", "displacement_mm", "motion"}) {
+    EXPECT_TRUE(report.contains(key)) << key;
+  }
+}
+
+TEST_F(Cli, ThePatientsNameIsInNoOutput) {
+  const std::string name = "GNATHION^SYNTHETIC";
+  const fs::path slice = demo() / "ct" / names_in(demo() / "ct").front();
+  ASSERT_NE(bytes_of(slice).find(name), std::string::npos) << "the CT has another name";
+  for (const auto& entry : fs::recursive_directory_iterator(folder() / "out")) {
+    EXPECT_EQ(bytes_of(entry.path()).find(name), std::string::npos) << entry.path();
+  }
+  const CliRun series = run_cli(folder(), {"series", "demo/ct"});
+  EXPECT_EQ(series.code, 0);
+  for (const std::string& text :
+       {predict_run_.out, predict_run_.err, demo_run_.out, demo_run_.err, series.out, series.err}) {
+    EXPECT_EQ(text.find(name), std::string::npos) << text;
+  }
+}
+
+TEST_F(Cli, SeriesListsWhatIsThere) {
+  const CliRun series = run_cli(folder(), {"-q", "series", "demo/ct"});
+  EXPECT_EQ(series.code, 0);
+  EXPECT_NE(series.out.find("  CT  " + std::to_string(names_in(demo() / "ct").size()) + " slices"),
+            std::string::npos)
+      << series.out;
+}
+
+TEST_F(Cli, TheSameInputsGiveTheSameFace) {
+  const CliRun again =
+      run_cli(folder(), {"-q", "predict", "--no-pictures", "demo/case.json", "again"});
+  ASSERT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(again.err, "");
+  EXPECT_EQ(bytes_of(folder() / "again/predicted.obj"), bytes_of(folder() / "out/predicted.obj"));
+  EXPECT_EQ(bytes_of(folder() / "again/tissue.vtu"), bytes_of(folder() / "out/tissue.vtu"));
+  EXPECT_FALSE(fs::exists(folder() / "again/after.png"));
+}
+
+TEST_F(Cli, ZeroMotionGivesThePhotographBackToTheByte) {
+  const std::string plan = changed_case("still.json", [](json& c) {
+    c["motion"] = {{"forward_mm", 0}};
+  });
+  const CliRun run = run_cli(folder(), {"predict", "--no-pictures", plan, "still"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(bytes_of(folder() / "still/predicted.obj"), bytes_of(demo() / "photograph/face.obj"));
+}
+
+TEST_F(Cli, LeftIsThePatientsLeftFromDicomToExport) {
+  const std::string plan = changed_case("left.json", [](json& c) {
+    c["motion"] = {{"left_mm", 5}};
+  });
+  const CliRun run = run_cli(folder(), {"predict", "--no-pictures", plan, "left"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const std::vector<Vector3d> before = vertices_of(demo() / "photograph/face.obj"),
+                              after = vertices_of(folder() / "left/predicted.obj");
+  ASSERT_EQ(after.size(), before.size());
+  // The mole is painted on the left cheek: in the photograph's own frame the face must move to its
+  // side, away from the right corner of the mouth.
+  const json truth = json::parse(bytes_of(demo() / "truth.json"));
+  const json transform = json::parse(bytes_of(demo() / "case.json"))["photograph"]["transform"];
+  Eigen::Matrix3d R;
+  for (int row = 0; row < 3; ++row) {
+    R.row(row) = vector_of(transform["rotation"][static_cast<std::size_t>(row)]).transpose();
+  }
+  const auto in_photograph = [&](const char* landmark) {
+    const Vector3d lps = vector_of(truth.at("landmarks").at(landmark));
+    return Vector3d(R.transpose() * (lps - vector_of(transform["translation_mm"])) /
+                    transform["scale"].get<double>());
+  };
+  const Vector3d chin = in_photograph("pogonion_soft");
+  const Vector3d to_mole = in_photograph("mole") - in_photograph("mouth_corner_right");
+  Vector3d moved = Vector3d::Zero();
+  int count = 0;
+  for (std::size_t v = 0; v < before.size(); ++v) {
+    if ((before[v] - chin).norm() > 8) continue;
+    moved += after[v] - before[v];
+    ++count;
+  }
+  ASSERT_GT(count, 10);
+  moved /= count;
+  EXPECT_GT(moved.dot(to_mole.normalized()), 1.5) << moved.transpose();
+  EXPECT_GT((R * moved).x(), 2.5) << "LPS x is the patient's left";
+}
+
+TEST_F(Cli, EachStepHasItsVerb) {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> verbs{
+      {"surfaces", {"bone.ply", "face.mtl", "face.obj", "face.png"}},
+      {"segment", {"remainder.ply", "segment.ply"}},
+      {"region", {"region.ply", "region.txt"}},
+      {"mesh", {"tissue.inp", "tissue.vtu"}}};
+  for (const auto& [verb, files] : verbs) {
+    const CliRun run = run_cli(folder(), {"-q", verb, "demo/case.json", verb});
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(names_in(folder() / verb), files);
+  }
+  EXPECT_EQ(bytes_of(folder() / "surfaces/face.obj"), bytes_of(demo() / "photograph/face.obj"));
+  // A region that was written can be given back.
+  fs::copy_file(folder() / "region/region.txt", demo() / "region.txt");
+  const std::string plan = changed_case("region.json", [](json& c) {
+    c["region"] = {{"vertices_file", "region.txt"}};
+  });
+  const CliRun run = run_cli(folder(), {"-q", "region", plan, "region again"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(bytes_of(folder() / "region again/region.ply"),
+            bytes_of(folder() / "region/region.ply"));
+}
+
+TEST_F(Cli, HelpAndVersionAreNoErrors) {
+  EXPECT_EQ(run_cli(folder(), {"--help"}).code, 0);
+  EXPECT_EQ(run_cli(folder(), {"predict", "--help"}).code, 0);
+  EXPECT_EQ(run_cli(folder(), {"--version"}).code, 0);
+}
+
+TEST_F(Cli, AWrongCommandLineIsCode2) {
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{},
+                                                {"guess"},
+                                                {"predict"},
+                                                {"predict", "demo/case.json"},
+                                                {"predict", "demo/case.json", "x", "--fast"},
+                                                {"demo-case", "x", "--seed", "two"}}) {
+    EXPECT_EQ(run_cli(folder(), wrong).code, 2);
+  }
+  EXPECT_FALSE(fs::exists(folder() / "x"));
+}
+
+TEST_F(Cli, AWrongCaseFileIsCode3) {
+  const auto refused = [](const std::string& key, const std::function<void(json&)>& change) {
+    expect_failure(3, {"wrong.json: " + key}, {"predict", changed_case("wrong.json", change), "x"});
+  };
+  refused("motion.forward", [](json& c) { c["motion"]["forward"] = 8; });
+  refused("motion.forward_mm", [](json& c) { c["motion"]["forward_mm"] = "8"; });
+  refused("tissue.poisson", [](json& c) { c["tissue"]["poisson"] = 0.5; });
+  refused("tissue.young_MPa", [](json& c) { c["tissue"]["young_MPa"] = 0; });
+  temporary_->write("Fälle von heute/demo/wrong.json", "{ \"ct\": ");
+  expect_failure(3, {"wrong.json", "line 1"}, {"check", "demo/wrong.json"});
+}
+
+TEST_F(Cli, ForceTransferRefusesARotationNamingTheKey) {
+  const std::string plan = changed_case("force.json", [](json& c) {
+    c["tissue"]["load"] = "force";
+    c["motion"] = {{"pitch_deg", 3}};
+  });
+  expect_failure(3, {"tissue.load"}, {"predict", "--no-pictures", plan, "x"});
+}
+
+TEST_F(Cli, AMissingOrUselessInputIsCode4) {
+  const auto with_ct = [](const std::string& path) {
+    return changed_case("input.json", [&](json& c) { c["ct"]["path"] = path; });
+  };
+  expect_failure(4, {"none.json"}, {"predict", "none.json", "x"});
+  expect_failure(4, {"none"}, {"predict", with_ct("none"), "x"});
+  fs::create_directory(demo() / "empty");
+  expect_failure(4, {"empty"}, {"predict", with_ct("empty"), "x"});
+  temporary_->write("Fälle von heute/demo/letters/a.txt", "no picture");
+  expect_failure(4, {"letters", "CT"}, {"predict", with_ct("letters"), "x"});
+  temporary_->write("Fälle von heute/demo/letters.nrrd", "no picture");
+  expect_failure(4, {"letters.nrrd"}, {"predict", with_ct("letters.nrrd"), "x"});
+  expect_failure(
+      4, {"none.obj"},
+      {"predict", changed_case("input.json", [](json& c) { c["photograph"]["obj"] = "none.obj"; }),
+       "x"});
+  fs::create_directory(demo() / "bare");
+  fs::copy_file(demo() / "photograph/face.obj", demo() / "bare/face.obj");
+  fs::copy_file(demo() / "photograph/face.mtl", demo() / "bare/face.mtl");
+  expect_failure(
+      4, {"face.png"},
+      {"predict",
+       changed_case("input.json", [](json& c) { c["photograph"]["obj"] = "bare/face.obj"; }), "x"});
+  expect_failure(4, {"none"}, {"series", "none"});
+}
+
+TEST_F(Cli, AMissingSliceIsCode4) {
+  fs::copy(demo() / "ct", demo() / "gap");
+  const std::vector<std::string> slices = names_in(demo() / "gap");
+  fs::remove(demo() / "gap" / slices[slices.size() / 2]);
+  const std::string plan = changed_case("gap.json", [](json& c) { c["ct"]["path"] = "gap"; });
+  expect_failure(4, {"gap"}, {"predict", plan, "x"});
+}
+
+TEST_F(Cli, APlanThatTheAnatomyDoesNotAllowIsCode5) {
+  const std::string air = changed_case("air.json", [](json& c) {
+    c["segment"]["box"] = {{"min", {-300, -300, 200}}, {"max", {-290, -290, 210}}};
+  });
+  expect_failure(5, {"segment"}, {"predict", air, "x"});
+
+  // A region on the forehead, far from the segment.
+  const json truth = json::parse(bytes_of(demo() / "case.json"))["photograph"]["transform"];
+  Vector3d up;  // the patient's z in the photograph's frame
+  for (std::size_t k = 0; k < 3; ++k)
+    up[static_cast<int>(k)] = truth["rotation"][2][k].get<double>();
+  const std::vector<Vector3d> face = vertices_of(demo() / "photograph/face.obj");
+  double top = -1e9;
+  for (const Vector3d& v : face) top = std::max(top, v.dot(up));
+  std::string forehead;
+  for (std::size_t v = 0; v < face.size(); ++v) {
+    if (face[v].dot(up) > top - 30) forehead += std::to_string(v) + "\n";
+  }
+  temporary_->write("Fälle von heute/demo/forehead.txt", forehead);
+  const std::string off = changed_case("off.json", [](json& c) {
+    c["region"] = {{"vertices_file", "forehead.txt"}};
+  });
+  expect_failure(5, {"region", "no bone"}, {"predict", off, "x"});
+
+  temporary_->write("Fälle von heute/demo/far.txt", "99999999");
+  const std::string far = changed_case("far.json", [](json& c) {
+    c["region"] = {{"vertices_file", "far.txt"}};
+  });
+  expect_failure(5, {"region", "99999999"}, {"predict", far, "x"});
+}
+
+TEST_F(Cli, AnOutputThatExistsOrCannotBeMadeIsCode7) {
+  temporary_->write("Fälle von heute/file", "mine");
+  for (const char* verb : {"surfaces", "predict", "mesh"}) {
+    expect_failure(7, {"file", "exists"}, {verb, "demo/case.json", "file"});
+    expect_failure(7, {"none"}, {verb, "demo/case.json", "none/x"});
+    expect_failure(7, {"file"}, {verb, "demo/case.json", "file/x"});
+  }
+  expect_failure(7, {"demo", "exists"}, {"demo-case", "demo"});
+  EXPECT_EQ(bytes_of(folder() / "file"), "mine");
+}
+
+TEST_F(Cli, CtrlCIsCode8AndLeavesNothing) {
+  for (const char* stage : {"bone surface", "region"}) {
+    const std::vector<std::string> before = names_in(folder());
+    bool sent = false;
+    const CliRun run = run_cli(
+        folder(), {"predict", "demo/case.json", "x"}, [&](pid_t child, const std::string& text) {
+          if (sent || text.find(stage) == std::string::npos) return;
+          EXPECT_GT(names_in(folder()).size(), before.size()) << "nothing is being written yet";
+          sent = kill(child, SIGINT) == 0;
+        });
+    EXPECT_TRUE(sent) << "no stage named " << stage;
+    EXPECT_EQ(run.code, 8) << run.err;
+    EXPECT_NE(run.err.find("gnathion-cli: "), std::string::npos);
+    EXPECT_EQ(names_in(folder()), before);
+  }
+}
+
+}  // namespace
+}  // namespace gnathion

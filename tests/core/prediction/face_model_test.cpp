@@ -1,0 +1,276 @@
+#include "prediction/face_model.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "base/error.h"
+#include "plan/jaw_motion.h"
+#include "support/expect_error.h"
+#include "support/face_patch.h"
+#include "support/head_scene.h"
+
+namespace gnathion {
+namespace {
+
+using Eigen::Vector3d;
+using test::expect_error;
+
+const RegionChoice reach_of_40{40, {}};
+
+/// One model for the tests that only ask it.
+const FaceModel& head_model() {
+  static const FaceModel model = [] {
+    Progress progress;
+    return FaceModel(test::head_scene(), reach_of_40, {}, progress);
+  }();
+  return model;
+}
+
+const Points& head_skin() {
+  static const Points skin = test::head_scene().face.mesh.surface.vertices;
+  return skin;
+}
+
+Points predicted(const FaceModel& model, const JawMotion& motion) {
+  Points points;
+  model.predict(rigid_motion(motion, test::head_segment_at), points);
+  return points;
+}
+
+/// How far the skin over the segment is moved: mean of the vertices within 8 mm of the chin.
+Vector3d chin_moves(const Points& points) {
+  Vector3d sum = Vector3d::Zero();
+  int count = 0;
+  for (Eigen::Index v = 0; v < points.rows(); ++v) {
+    if ((head_skin().row(v).transpose() - test::head_chin).norm() > 8) continue;
+    sum += (points.row(v) - head_skin().row(v)).transpose();
+    ++count;
+  }
+  return sum / count;
+}
+
+TEST(FaceModel, ZeroMotionLeavesTheFaceAsItIsToTheBit) {
+  EXPECT_EQ(predicted(head_model(), {}), head_skin());
+}
+
+TEST(FaceModel, OnlyTheRegionMovesAndItsRimDoesNot) {
+  const Points points = predicted(head_model(), {.forward_mm = 6, .yaw_deg = 3});
+  const IntermediateMesh& region = head_model().problem().region;
+  std::vector<bool> may_move(static_cast<std::size_t>(points.rows()), false);
+  for (std::size_t v = 0; v < region.face_vertex.size(); ++v) {
+    may_move[region.face_vertex[v]] = !region.rim[v];
+  }
+  int moved = 0;
+  for (Eigen::Index v = 0; v < points.rows(); ++v) {
+    if (may_move[v]) {
+      moved += points.row(v) != head_skin().row(v);
+    } else {
+      EXPECT_EQ(points.row(v), head_skin().row(v)) << "vertex " << v;
+    }
+  }
+  EXPECT_GT(moved, 50);
+}
+
+TEST(FaceModel, EqualsTheDirectSolve) {
+  const RigidMotion motion =
+      rigid_motion({6, -2, 3, 5, -4, 7}, test::head_segment_at + Vector3d(1, 2, 3));
+  const StaticSolution direct = head_model().solve(motion);
+  EXPECT_LT(direct.relative_residual, 1e-10);
+  const double size = direct.displacements.norm();
+  EXPECT_LT((head_model().tissue_displacements(motion) - direct.displacements).norm(),
+            1e-12 * size);
+  Points points;
+  head_model().predict(motion, points);
+  const IntermediateMesh& region = head_model().problem().region;
+  for (std::size_t v = 0; v < region.face_vertex.size(); ++v) {
+    const Eigen::RowVector3d u =
+        points.row(region.face_vertex[v]) - head_skin().row(region.face_vertex[v]);
+    EXPECT_LT((u - direct.displacements.row(static_cast<Eigen::Index>(v))).norm(), 1e-11);
+  }
+}
+
+TEST(FaceModel, TheFaceFollowsTheBoneToThePatientsSides) {
+  const Vector3d left = chin_moves(predicted(head_model(), {.left_mm = 5}));
+  EXPECT_GT(left.x(), 1.5);
+  EXPECT_LT(left.x(), 5);
+  EXPECT_LT(std::abs(left.z()), 0.2);
+  const Vector3d forward = chin_moves(predicted(head_model(), {.forward_mm = 5}));
+  EXPECT_LT(forward.y(), -3);
+  EXPECT_GT(forward.y(), -5.5);
+  const Vector3d up = chin_moves(predicted(head_model(), {.up_mm = 5}));
+  EXPECT_GT(up.z(), 1.5);
+  EXPECT_LT(up.z(), 5);
+}
+
+TEST(FaceModel, TwoModelsOfTheSameHeadAgreeToTheBit) {
+  Progress progress;
+  const FaceModel again(test::head_scene(), reach_of_40, {}, progress);
+  const JawMotion motion{5, 1, -2, 3, 2, 1};
+  EXPECT_EQ(predicted(again, motion), predicted(head_model(), motion));
+}
+
+TEST(TissueProblem, HoldsTheTissueWhereTheBoneIs) {
+  const TissueProblem& problem = head_model().problem();
+  std::vector<bool> linked(problem.region.rim.size(), false);
+  for (const BoneLink& link : problem.links) {
+    for (const int v : problem.region.mesh.triangles.row(link.triangle)) linked[v] = true;
+  }
+  int attached = 0, on_segment = 0, fixed_on_skull = 0;
+  const BspTree segment(test::head_scene().cut.segment), skull(test::head_scene().cut.remainder);
+  for (int v = 0; v < problem.tissue.surface_count; ++v) {
+    const Vector3d inner = problem.tissue.mesh.vertices.row(problem.tissue.inner(v));
+    const Support support = problem.supports[problem.tissue.inner(v)];
+    if (problem.region.rim[v]) {
+      EXPECT_EQ(problem.supports[v], Support::fixed);
+      EXPECT_EQ(support, Support::fixed);
+      continue;
+    }
+    EXPECT_EQ(problem.supports[v], Support::free) << "skin is held";
+    if (support == Support::attached) {
+      ++attached;
+      const bool on_bone = segment.nearest(inner, 2).has_value();
+      on_segment += on_bone;
+      EXPECT_TRUE(on_bone || linked[v]) << "neither on the segment nor met by a link from it";
+      EXPECT_FALSE(skull.nearest(inner, 10)) << "next to the cut";
+    } else if (support == Support::fixed) {
+      ++fixed_on_skull;
+      EXPECT_TRUE(skull.nearest(inner, 2))
+          << "not on the skull";  // a tenth of 20 mm may be missing
+    }
+  }
+  EXPECT_EQ(attached, problem.attached_count);
+  EXPECT_EQ(fixed_on_skull, problem.on_skull_count);
+  EXPECT_GT(attached, 10);
+  EXPECT_GT(on_segment, 10);
+  EXPECT_GT(fixed_on_skull, 3);
+  EXPECT_GT(problem.rim_to_segment, 15);
+}
+
+TEST(TissueProblem, BoneNextToTheCutReleasesTheTissue) {
+  Progress progress;
+  TissueModel none;
+  none.released_mm = 0;
+  const TissueProblem held = build_tissue(test::head_scene(), reach_of_40, none, progress);
+  EXPECT_EQ(held.released_count, 0);
+  TissueModel wide;
+  wide.released_mm = 25;
+  const TissueProblem released = build_tissue(test::head_scene(), reach_of_40, wide, progress);
+  EXPECT_GT(released.released_count, 3);
+  EXPECT_LT(released.attached_count, held.attached_count);
+}
+
+TEST(FaceModel, RefusesARegionWithNoBoneOfTheSegmentBelow) {
+  const Anatomy head = test::head_scene();
+  RegionChoice back;
+  for (int v = 0; v < head_skin().rows(); ++v) {
+    if (head_skin()(v, 1) > 60) back.vertices.push_back(v);
+  }
+  for (const LoadModel load : {LoadModel::displacement, LoadModel::force}) {
+    TissueModel model;
+    model.load = load;
+    Progress progress;
+    expect_error(ErrorKind::anatomy, {"region", "no bone"},
+                 [&] { FaceModel(head, back, model, progress); });
+  }
+}
+
+TEST(FaceModel, RefusesARegionWithoutARim) {
+  Progress progress;
+  expect_error(ErrorKind::anatomy, {"no rim"}, [&] {
+    FaceModel(test::head_scene(), RegionChoice{500, {}}, {}, progress);
+  });
+}
+
+TEST(FaceModel, RefusesAMaterialOutOfRange) {
+  TissueModel model;
+  model.material.poisson = 0.5;
+  Progress progress;
+  expect_error(ErrorKind::case_file, {"tissue.poisson"},
+               [&] { FaceModel(test::head_scene(), reach_of_40, model, progress); });
+}
+
+TEST(FaceModel, CanBeCancelled) {
+  Progress progress;
+  progress.cancel();
+  expect_error(ErrorKind::cancelled, {},
+               [&] { FaceModel(test::head_scene(), reach_of_40, {}, progress); });
+}
+
+TEST(FaceModel, SaysWhenTheRimComesNearTheMovingBone) {
+  Progress progress;
+  build_tissue(test::head_scene(), RegionChoice{13, {}}, {}, progress);
+  ASSERT_EQ(progress.notices().size(), 1U);
+  EXPECT_NE(progress.notices()[0].find("rim"), std::string::npos);
+}
+
+class ForceTransfer : public ::testing::Test {
+ protected:
+  ForceTransfer() : model_(test::head_scene(), reach_of_40, force(), progress_) {}
+  static TissueModel force() {
+    TissueModel model;
+    model.load = LoadModel::force;
+    return model;
+  }
+  Progress progress_;
+  const FaceModel model_;
+};
+
+TEST_F(ForceTransfer, PushesTheFaceAlongTheMotion) {
+  EXPECT_EQ(predicted(model_, {}), head_skin());
+  EXPECT_LT(chin_moves(predicted(model_, {.forward_mm = 5})).y(), -2);
+  EXPECT_FALSE(model_.problem().forced.empty());
+  EXPECT_EQ(model_.problem().attached_count, 0);
+}
+
+TEST_F(ForceTransfer, EqualsTheDirectSolve) {
+  const RigidMotion motion = rigid_motion({4, 1, 2, 0, 0, 0}, test::head_segment_at);
+  const Points direct = model_.solve(motion).displacements;
+  EXPECT_LT((model_.tissue_displacements(motion) - direct).norm(), 1e-12 * direct.norm());
+}
+
+TEST_F(ForceTransfer, RefusesRotations) {
+  expect_error(ErrorKind::case_file, {"tissue.load", "displacement"},
+               [&] { predicted(model_, {.pitch_deg = 1}); });
+  expect_error(ErrorKind::case_file, {"tissue.load"},
+               [&] { model_.solve(rigid_motion({.pitch_deg = 1}, test::head_segment_at)); });
+}
+
+/// A patch of skin over a block of bone, all of it the region.
+Anatomy patch_scene(const TriangleMesh& skin, double depth) {
+  const Eigen::RowVector3d middle = skin.vertices.colwise().mean();
+  Anatomy patch{{}, {}, test::face_of(skin), middle.transpose()};
+  patch.cut.segment =
+      test::box(middle.transpose() - Vector3d(0, 0, depth + 5), Vector3d(12, 12, 5), 8);
+  patch.cut.remainder = test::sphere(middle.transpose() - Vector3d(0, 0, 200), 5, 2);
+  return patch;
+}
+
+RegionChoice all_of(const TriangleMesh& skin) {
+  RegionChoice all;
+  all.vertices.resize(static_cast<std::size_t>(skin.vertices.rows()));
+  std::iota(all.vertices.begin(), all.vertices.end(), 0);
+  return all;
+}
+
+TEST(PaperGenerator, PredictsOnAFlatPatchAndRefusesAHardOneWithTheCount) {
+  TissueModel model;
+  model.generator = Generator::paper;
+  model.depth_mm = 5;
+  Progress progress;
+  const TriangleMesh flat = testing::flat_disk(676, 100, 2.2);
+  const FaceModel good(patch_scene(flat, 5), all_of(flat), model, progress);
+  Points points;
+  good.predict({Eigen::Matrix3d::Identity(), Vector3d(0, 0, 3)}, points);
+  EXPECT_GT((points - flat.vertices).col(2).maxCoeff(), 2);
+
+  const TriangleMesh hard = testing::hard_patch(1, 0);
+  const Anatomy lips = patch_scene(hard, 12);
+  expect_error(ErrorKind::anatomy, {"tissue.generator", "inverts", "robust"},
+               [&] { FaceModel(lips, all_of(hard), model, progress); });
+  model.generator = Generator::robust;
+  EXPECT_NO_THROW(FaceModel(lips, all_of(hard), model, progress));
+}
+
+}  // namespace
+}  // namespace gnathion

@@ -32,10 +32,12 @@ int main(int argc, char** argv) {
   std::string input, output;
   unsigned seed = 1;
   bool no_pictures = false;
+  const CLI::Validator not_empty(
+      [](std::string& text) { return std::string(text.empty() ? "must not be empty" : ""); }, "");
   const auto verb = [&](const char* name, const char* what, const char* input_name, bool writes) {
     CLI::App* sub = app.add_subcommand(name, what);
-    if (input_name != nullptr) sub->add_option(input_name, input)->required();
-    if (writes) sub->add_option("OUTPUT", output, "a new folder")->required();
+    if (input_name != nullptr) sub->add_option(input_name, input)->required()->check(not_empty);
+    if (writes) sub->add_option("OUTPUT", output, "a new folder")->required()->check(not_empty);
     return sub;
   };
   verb("series", "list the DICOM series of a folder", "FOLDER", false);

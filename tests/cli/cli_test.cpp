@@ -318,7 +318,9 @@ TEST_F(Cli, AWrongCommandLineIsCode2) {
                                                 {"predict"},
                                                 {"predict", "demo/case.json"},
                                                 {"predict", "demo/case.json", "x", "--fast"},
-                                                {"demo-case", "x", "--seed", "two"}}) {
+                                                {"demo-case", "x", "--seed", "two"},
+                                                {"predict", "", "x"},
+                                                {"predict", "demo/case.json", ""}}) {
     EXPECT_EQ(run_cli(folder(), wrong).code, 2);
   }
   EXPECT_FALSE(fs::exists(folder() / "x"));
@@ -368,6 +370,11 @@ TEST_F(Cli, AMissingOrUselessInputIsCode4) {
       {"predict",
        changed_case("input.json", [](json& c) { c["photograph"]["obj"] = "bare/face.obj"; }), "x"});
   expect_failure(4, {"none"}, {"series", "none"});
+  expect_failure(
+      4, {"face.obj", "photograph.transform.scale"},
+      {"predict",
+       changed_case("input.json", [](json& c) { c["photograph"]["transform"]["scale"] = 0.001; }),
+       "x"});
 }
 
 TEST_F(Cli, AMissingSliceIsCode4) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "io/files.h"
 #include "io/json_reader.h"
 
 namespace gnathion {
@@ -30,7 +31,7 @@ void read_positive(JsonReader& object, const std::string& key, double& value) {
 }
 
 LpsBox read_box(JsonReader object) {
-  const LpsBox box{object.required_vector("min"), object.required_vector("max")};
+  LpsBox box{object.required_vector("min"), object.required_vector("max")};
   if (!(box.min.array() < box.max.array()).all()) {
     object.refuse("min", "it is not below \"max\" in every coordinate",
                   "give the box's smallest x, y, z as min and its largest as max, LPS mm");
@@ -280,12 +281,9 @@ void write_case_file(const SurgicalCase& plan, const fs::path& path) {
   root["region"] = {{"reach_mm", plan.region.reach_mm}};
   if (!plan.region.vertices.empty()) {
     const fs::path vertices_file = fs::path(path).replace_extension(".region.txt");
-    std::ofstream stream(vertices_file);
-    for (const int v : plan.region.vertices) stream << v << '\n';
-    if (!stream.flush()) {
-      throw Error(ErrorKind::output, vertices_file.string(), "it cannot be written",
-                  "choose another place");
-    }
+    std::string numbers;
+    for (const int v : plan.region.vertices) numbers += std::to_string(v) + "\n";
+    write_text_file(vertices_file, numbers);
     root["region"]["vertices_file"] = vertices_file.filename().string();
   }
   root["tissue"] = {{"generator", plan.tissue.generator == Generator::paper ? "paper" : "robust"},
@@ -298,11 +296,14 @@ void write_case_file(const SurgicalCase& plan, const fs::path& path) {
   root["motion"] = motion_json(plan);
   root["landmarks"] = json::object();
   for (const auto& [name, place] : plan.landmarks) root["landmarks"][name] = vector_json(place);
-  std::ofstream stream(path);
-  stream << root.dump(2) << '\n';
-  if (!stream.flush()) {
-    throw Error(ErrorKind::output, path.string(), "it cannot be written", "choose another place");
+  std::string text;
+  try {
+    text = root.dump(2) + "\n";
+  } catch (const json::exception&) {
+    throw Error(ErrorKind::output, path.string(), "a name in the case is not UTF-8",
+                "rename the folder or file that the case names");
   }
+  write_text_file(path, text);
 }
 
 }  // namespace gnathion

@@ -7,7 +7,6 @@
 #include <array>
 #include <fstream>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -105,8 +104,11 @@ std::string sha256_of(const fs::path& path) {
   return hash.hex();
 }
 
-NewFolder::NewFolder(fs::path target)
-    : target_(fs::absolute(std::move(target)).lexically_normal()) {
+NewFolder::NewFolder(const fs::path& target) {
+  if (target.empty()) {
+    throw Error(ErrorKind::output, "the new folder", "it has no name", "name a new folder");
+  }
+  target_ = fs::absolute(target).lexically_normal();
   if (!target_.has_filename()) target_ = target_.parent_path();
   if (fs::exists(fs::symlink_status(target_))) {
     throw Error(ErrorKind::output, target_.string(),

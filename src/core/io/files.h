@@ -20,7 +20,7 @@ std::string sha256_of(const std::filesystem::path& path);
 class NewFolder {
  public:
   /// Throws Error(output) when `target` exists already, or its parent is missing or not writable.
-  explicit NewFolder(std::filesystem::path target);
+  explicit NewFolder(const std::filesystem::path& target);
   ~NewFolder();
   NewFolder(const NewFolder&) = delete;
   NewFolder& operator=(const NewFolder&) = delete;

@@ -25,6 +25,25 @@ struct JsonReader::Implementation {
   }
 };
 
+namespace {
+
+/// Refuses an object with the same key twice, of which the parser would take the last.
+json::parser_callback_t unique_keys(const std::string& file) {
+  return [file, open = std::vector<std::set<std::string>>()](int, json::parse_event_t event,
+                                                             const json& parsed) mutable {
+    if (event == json::parse_event_t::object_start) open.emplace_back();
+    if (event == json::parse_event_t::object_end) open.pop_back();
+    if (event == json::parse_event_t::key &&
+        !open.back().insert(parsed.get<std::string>()).second) {
+      throw Error(ErrorKind::case_file, file + ": " + parsed.get<std::string>(),
+                  "this key is given twice in one object", "remove one of them");
+    }
+    return true;
+  };
+}
+
+}  // namespace
+
 JsonReader::JsonReader(std::shared_ptr<Implementation> implementation)
     : implementation_(std::move(implementation)) {}
 
@@ -33,7 +52,7 @@ JsonReader JsonReader::file(const std::string& path) {
   auto implementation = std::make_shared<Implementation>();
   implementation->file = path;
   try {
-    implementation->value = json::parse(text);
+    implementation->value = json::parse(text, unique_keys(path));
   } catch (const json::exception& error) {  // also a number too large for a double
     throw Error(ErrorKind::case_file, path, error.what(), "mend the JSON at this place");
   }
@@ -134,6 +153,7 @@ std::string JsonReader::required_string(const std::string& key) {
   if (!has(key)) refuse(key, "it is missing", "add it as in docs/case-file.md");
   std::string value;
   read(key, value);
+  if (value.empty()) refuse(key, "it is empty", "give a text that names something");
   return value;
 }
 

@@ -14,13 +14,13 @@ namespace gnathion {
 class JsonReader {
  public:
   /// Parses the file. Throws Error(input) when it cannot be read, Error(case_file) with the line
-  /// and column when it is no JSON object.
+  /// and column when it is no JSON object, or with the key that one object has twice.
   static JsonReader file(const std::string& path);
 
   bool has(const std::string& key) const;
   /// The object under a key; an empty one when it is absent.
   JsonReader object(const std::string& key);
-  /// Throws when the key is absent.
+  /// These throw when the key is absent, and when a text is empty.
   JsonReader required_object(const std::string& key);
 
   void read(const std::string& key, double& value);

@@ -1,18 +1,34 @@
 #include "prediction/anatomy.h"
 
 #include <future>
+#include <iomanip>
+#include <sstream>
 #include <utility>
 
+#include "base/error.h"
 #include "geometry/triangle_mesh.h"
 #include "imaging/ct_import.h"
 
 namespace gnathion {
 namespace {
 
-Face skin_face(TriangleMesh skin) {
+Face skin_face(const TriangleMesh& skin) {
   Face face{{}, ObjDocument::of_surface(skin, "skin of the CT"), {}, false};
   face.mesh = face.document.mesh();
   return face;
+}
+
+/// A scan in metres or centimetres would otherwise be a speck inside the head.
+void check_size(const Points& lps, const std::filesystem::path& file) {
+  constexpr double kLeast = 60, kMost = 1500;  // mm; a scan may go down to the waist
+  const double size = (lps.colwise().maxCoeff() - lps.colwise().minCoeff()).maxCoeff();
+  if (size >= kLeast && size <= kMost) return;
+  std::ostringstream across;
+  across << std::setprecision(3) << size;
+  throw Error(ErrorKind::input, file.string(),
+              "with the case's transform it is " + across.str() + " mm across, which is no face",
+              "give photograph.transform.scale: the millimetres in a unit of the file (1000 for "
+              "a scan in metres)");
 }
 
 }  // namespace
@@ -31,6 +47,7 @@ Face photograph_face(const PhotographSource& source) {
   Face face{{}, ObjDocument::read(source.obj), source.lps_from_photograph, true};
   face.mesh = face.document.mesh();
   face.mesh.surface.vertices = moved(face.mesh.surface.vertices, face.lps_from_file);
+  check_size(face.mesh.surface.vertices, source.obj);
   return face;
 }
 

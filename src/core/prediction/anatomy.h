@@ -25,7 +25,8 @@ struct Anatomy {
   Eigen::Vector3d pivot;  ///< about which the segment turns: the plan's, or its centre of volume
 };
 
-/// The face alone. Throws Error(input) as ObjDocument::read.
+/// The face alone. Throws Error(input) as ObjDocument::read, and when the face in LPS is smaller
+/// than 60 mm or larger than 1500 mm: then its unit is another.
 Face photograph_face(const PhotographSource& source);
 
 /// Reads the CT and the photograph of a case, extracts the surfaces and cuts the segment.

@@ -340,6 +340,30 @@ TEST(CaseFile, RefusesMissingKeysWithTheirPath) {
   expect_refused({"photograph", "{}", "photograph.obj"});
 }
 
+TEST(CaseFile, RefusesEmptyNamesOfFiles) {
+  expect_refused({"ct", R"({"path": ""})", "ct.path"});
+  expect_refused({"ct", R"({"path": "ct", "series_uid": ""})", "ct.series_uid"});
+  expect_refused({"photograph", R"({"obj": ""})", "photograph.obj"});
+  expect_refused({"region", R"({"vertices_file": ""})", "region.vertices_file"});
+}
+
+TEST(CaseFile, RefusesAKeyThatIsGivenTwice) {
+  expect_refused({"motion", R"({"up_mm": 3, "left_mm": 1, "up_mm": 4})", "up_mm"});
+  expect_refused({"motion", "{}, \"motion\": {}", "motion"});
+  const TemporaryFolder folder;
+  EXPECT_NO_THROW(read_case_file(folder.write(
+      "case.json", case_text({"landmarks", R"({"min": [0, 0, 0], "path": [1, 1, 1]})", ""}))))
+      << "the same key in two objects is good";
+}
+
+TEST(CaseFile, SaysWhenANameCannotBeWritten) {
+  const TemporaryFolder folder;
+  SurgicalCase plan = full_case(folder.path());
+  plan.ct.path = folder / "M\xfcller";  // Latin-1
+  expect_error(ErrorKind::output, {"case.json", "UTF-8"},
+               [&] { write_case_file(plan, folder / "case.json"); });
+}
+
 TEST(CaseFile, RefusesWhatIsNoJsonObjectNamingThePlace) {
   const TemporaryFolder folder;
   expect_error(ErrorKind::input, {"none.json"}, [&] { read_case_file(folder / "none.json"); });

@@ -125,6 +125,7 @@ TEST(NewFolder, RefusesAParentThatIsMissingOrNotWritable) {
   expect_error(ErrorKind::output, {"none"}, [&] { NewFolder(parent / "none/out"); });
   expect_error(ErrorKind::output, {"file"}, [&] { NewFolder(parent / "file/out"); });
   expect_error(ErrorKind::output, {"/proc"}, [] { NewFolder("/proc/out"); });
+  expect_error(ErrorKind::output, {"no name"}, [] { NewFolder(""); });
 }
 
 TEST(NewFolder, DoesNotPublishWhatAKilledProgramLeftBehind) {

@@ -61,6 +61,15 @@ TEST(PhotographFace, UnmovedPointsGetTheFilesOwnNumbersBack) {
   }
 }
 
+TEST(PhotographFace, OfAnotherUnitIsRefusedByItsSize) {
+  Scan scan;
+  for (const double scale : {0.05, 5000.0}) {
+    scan.source.lps_from_photograph.scale = scale;
+    test::expect_error(ErrorKind::input, {"scan.obj", "mm across", "transform.scale"},
+                       [&] { photograph_face(scan.source); });
+  }
+}
+
 TEST(BuildAnatomy, AMissingPhotographIsToldBeforeTheCtIsRead) {
   const TemporaryFolder folder;
   SurgicalCase plan;

@@ -1,7 +1,5 @@
 #include "app/main_window.h"
 
-#include <QActionGroup>
-#include <QCloseEvent>
 #include <QDir>
 #include <QFile>
 #include <QFileDialog>
@@ -12,6 +10,7 @@
 #include <QSlider>
 #include <QStandardPaths>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 
 #include "app/face_view.h"
@@ -26,6 +25,12 @@ namespace {
 
 std::filesystem::path path_of(const QString& file) {
   return QFile::encodeName(file).toStdString();
+}
+
+bool has_texture(const LoadedCase& loaded) {
+  const std::vector<Material>& materials = loaded.anatomy->face.mesh.materials;
+  return std::any_of(materials.begin(), materials.end(),
+                     [](const Material& material) { return !material.texture.empty(); });
 }
 
 /// What a drag is rounded to, so that the numbers shown are the numbers computed with.
@@ -166,6 +171,7 @@ void MainWindow::update_enabled() {
         ui_->textured_action, ui_->bone_action, ui_->colour_map_action, ui_->before_action}) {
     action->setEnabled(any);
   }
+  ui_->textured_action->setEnabled(any && has_texture(controller_.loaded()));
   panel_->setEnabled(any);
   opacity_slider_->setEnabled(any);
   for (QWidget* widget :
@@ -290,7 +296,9 @@ void MainWindow::show_model_limits() {
   QString text = tr("Linear tetrahedra: %1").arg(tets);
   QString warning;
   if (const Prediction* checked = controller_.checked()) {
-    text += tr(" · residual %1").arg(checked->relative_residual, 0, 'e', 0);
+    if (checked->relative_residual > 0) {
+      text += tr(" · residual %1").arg(checked->relative_residual, 0, 'e', 0);
+    }
     if (checked->inverted_after > 0) {
       warning = tr(", %1 turned inside out").arg(checked->inverted_after);
     }

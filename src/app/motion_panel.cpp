@@ -50,7 +50,8 @@ MotionPanel::MotionPanel(QWidget* parent)
   header->setSectionResizeMode(0, QHeaderView::Stretch);
   header->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   header->setSectionResizeMode(2, QHeaderView::ResizeToContents);
-  ui_->landmark_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 7);
+  ui_->no_landmarks_label->hide();  // until a case says so
+  ui_->landmark_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 4);
 }
 
 MotionPanel::~MotionPanel() = default;

@@ -135,10 +135,12 @@ void mesh_verb(const fs::path& case_file, const fs::path& target, std::ostream& 
   const TissueProblem problem = build_tissue(anatomy, plan.region, plan.tissue, progress);
   const TetMesh& mesh = problem.tissue.mesh;
   write_vtu(mesh, {}, folder.path() / "tissue.vtu");
-  const Points prescribed =
-      moved(mesh.vertices, rigid_motion(plan.motion, anatomy.pivot)) - mesh.vertices;
-  write_calculix_deck(mesh, plan.tissue.material, problem.supports, prescribed,
-                      folder.path() / "tissue.inp");
+  if (plan.tissue.load == LoadModel::displacement) {
+    const Points prescribed =
+        moved(mesh.vertices, rigid_motion(plan.motion, anatomy.pivot)) - mesh.vertices;
+    write_calculix_deck(mesh, plan.tissue.material, problem.supports, prescribed,
+                        folder.path() / "tissue.inp");
+  }
   out << mesh.tets.rows() << " tetrahedra\n";
   publish(folder, target, out);
 }
@@ -150,6 +152,7 @@ void predict_verb(const fs::path& case_file, const fs::path& target, bool pictur
   const Anatomy anatomy = build_anatomy(plan, progress);
   const FaceModel model(anatomy, plan.region, plan.tissue, progress);
   const Prediction prediction = make_prediction(plan, anatomy, model, progress);
+  if (pictures) draw(anatomy, prediction, folder.path(), progress);
   {
     const auto stage = progress.stage("export");
     anatomy.face.document.write(folder.path(), "predicted.obj",
@@ -157,7 +160,6 @@ void predict_verb(const fs::path& case_file, const fs::path& target, bool pictur
     write_vtu(model.problem().tissue.mesh, model.tissue_displacements(prediction.motion),
               folder.path() / "tissue.vtu");
   }
-  if (pictures) draw(anatomy, prediction, folder.path(), progress);
   write_text_file(folder.path() / "report.json",
                   report_json(plan, anatomy, model, prediction, progress));
   print_summary(prediction, model, out);

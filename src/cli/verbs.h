@@ -32,7 +32,8 @@ void segment_verb(const std::filesystem::path& case_file, const std::filesystem:
 void region_verb(const std::filesystem::path& case_file, const std::filesystem::path& target,
                  std::ostream& out, Progress& progress);
 
-/// tissue.vtu (the tetrahedra), and tissue.inp, the same problem for CalculiX.
+/// tissue.vtu (the tetrahedra), and with displacement transfer tissue.inp, the same problem for
+/// CalculiX.
 void mesh_verb(const std::filesystem::path& case_file, const std::filesystem::path& target,
                std::ostream& out, Progress& progress);
 

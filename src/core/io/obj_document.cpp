@@ -349,6 +349,8 @@ void ObjDocument::write(const fs::path& folder, const std::string& name,
   write_text_file(folder / name, text_with(vertices));
   std::vector<std::string> copies = material_files_;
   copies.insert(copies.end(), texture_files_.begin(), texture_files_.end());
+  std::sort(copies.begin(), copies.end());
+  copies.erase(std::unique(copies.begin(), copies.end()), copies.end());
   for (const std::string& copy : copies) {
     const fs::path relative = fs::path(copy).lexically_normal();
     if (relative.is_absolute() || *relative.begin() == "..") {
@@ -358,11 +360,12 @@ void ObjDocument::write(const fs::path& folder, const std::string& name,
     }
     std::error_code failure;
     fs::create_directories((folder / relative).parent_path(), failure);
-    fs::copy_file(path_.parent_path() / copy, folder / relative,
-                  fs::copy_options::overwrite_existing, failure);
+    fs::copy_file(path_.parent_path() / copy, folder / relative, failure);
     if (failure) {
       throw Error(ErrorKind::output, (folder / relative).string(), failure.message(),
-                  "check free space and rights");
+                  failure == std::errc::file_exists
+                      ? "give this file of the photograph another name"
+                      : "check free space and rights");
     }
   }
 }

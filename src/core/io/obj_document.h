@@ -35,7 +35,7 @@ class ObjDocument {
 
   /// Writes `name` with these vertices into an existing folder, and copies of the MTL files and
   /// textures, byte for byte, beside it as the OBJ names them. Throws Error(output), also when a
-  /// name leads out of the folder.
+  /// name leads out of the folder or is that of a file in it.
   void write(const std::filesystem::path& folder, const std::string& name,
              const Points& vertices) const;
 

@@ -17,6 +17,9 @@ IntermediateMesh choose_region(const TriangleMesh& face, const RegionChoice& cho
                                  : region_of_vertices(face, choice.vertices);
 }
 
+/// mm: an inner vertex this near to a bone rests on it.
+constexpr double kOnBone = 1;
+
 /// Rim fixed, inner vertices held or moved by the bone they rest on (displacement transfer), unless
 /// it is next to the bone on the other side of the cut; with force transfer only the rim is held,
 /// as in the paper.
@@ -31,8 +34,13 @@ void set_supports(const TissueModel& model, const BspTree& segment, const BspTre
     if (problem.region.held[v] || model.load == LoadModel::force || bone == Underlying::none) {
       continue;
     }
+    const Eigen::Vector3d x = tissue.mesh.vertices.row(tissue.inner(v));
+    const BspTree& own = bone == Underlying::segment ? segment : skull;
     const BspTree& other = bone == Underlying::segment ? skull : segment;
-    if (other.nearest(tissue.mesh.vertices.row(tissue.inner(v)), model.released_mm)) {
+    // Tissue that had to be made thinner, or that only a ray from the bone's edge meets, may not
+    // reach the bone. The paper's generator does not try to.
+    if (model.generator == Generator::robust && !own.nearest(x, kOnBone)) continue;
+    if (other.nearest(x, model.released_mm)) {
       ++problem.released_count;
       continue;
     }
@@ -109,10 +117,6 @@ void mesh_tissue(const BspTree& segment, const BspTree& skull, const TissueModel
     } catch (const Error&) {
       if (attempt == kTries) throw;
       continue;
-    }
-    // Tissue that had to be made thinner does not reach its bone.
-    for (Eigen::Index v = 0; v < below.depth.size(); ++v) {
-      if (problem.tissue.depth[v] < 0.9 * below.depth[v]) problem.bone_below[v] = Underlying::none;
     }
     return;
   }

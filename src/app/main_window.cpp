@@ -93,9 +93,13 @@ void MainWindow::add_status() {
   auto* research = new QLabel(tr("<b>Research use only</b>"), this);
   research->setObjectName("research_label");
   research->setToolTip(tr("Not a medical device: not for decisions about a patient's treatment"));
+  // A long path or remark is cut at the window's width instead of stretching it.
+  for (QLabel* label : {stage_label_, model_label_}) {
+    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  }
   for (QWidget* widget :
        std::initializer_list<QWidget*>{progress_bar_, cancel_button_, stage_label_, model_label_}) {
-    statusBar()->addWidget(widget);
+    statusBar()->addWidget(widget, widget == stage_label_ || widget == model_label_ ? 1 : 0);
   }
   statusBar()->addPermanentWidget(research);
 }
@@ -313,6 +317,7 @@ void MainWindow::show_model_limits() {
     text += tr("%1 · linear model: %2").arg(warning, limit);
   }
   model_label_->setText(text);
+  model_label_->setToolTip(text);
 }
 
 void MainWindow::drag_segment(const Eigen::Vector3d& translation) {

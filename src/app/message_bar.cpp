@@ -7,6 +7,9 @@ namespace gnathion {
 MessageBar::MessageBar(QWidget* parent) : QFrame(parent), ui_(std::make_unique<Ui::MessageBar>()) {
   ui_->setupUi(this);
   connect(ui_->message_close, &QToolButton::clicked, this, &QWidget::hide);
+  for (QLabel* label : {ui_->message_title, ui_->message_text, ui_->message_remedy}) {
+    label->setMinimumWidth(1);  // a long path, which cannot be wrapped, must not stretch the window
+  }
   hide();
 }
 
@@ -25,6 +28,7 @@ void MessageBar::show_text(const QString& colour, const QString& title, const QS
                            const QString& remedy) {
   ui_->message_stripe->setStyleSheet(QString("background: %1;").arg(colour));
   ui_->message_title->setText(title);
+  ui_->message_title->setToolTip(title);
   ui_->message_text->setText(text);
   ui_->message_remedy->setText(remedy);
   ui_->message_remedy->setVisible(!remedy.isEmpty());

@@ -110,6 +110,7 @@ void FaceView::show_case(const LoadedCase& loaded) {
   scene_.remove_bones();
   scene_.set_bone("skull", loaded.anatomy->cut.remainder, skull_look, loaded.coarse_skull);
   scene_.set_bone("segment", loaded.anatomy->cut.segment, segment_look, loaded.coarse_segment);
+  set_bone_visible(bone_visible_);
   change_.resize(0);
   change_outdated_ = true;
   handle_.set_home(handle_home(loaded));
@@ -170,7 +171,6 @@ double FaceView::aspect_ratio() const {
 }
 
 void FaceView::look_from(CameraPreset view) {
-  preset_ = view;
   scene_.look_from(view, aspect_ratio());
   render_soon();
 }
@@ -186,6 +186,7 @@ void FaceView::set_face_textured(bool textured) {
 }
 
 void FaceView::set_bone_visible(bool visible) {
+  bone_visible_ = visible;
   for (const std::string& name : scene_.bone_names()) scene_.set_bone_visible(name, visible);
   render_soon();
 }

@@ -70,7 +70,7 @@ class FaceView : public QWidget {
   Response response_;
   QString words_;
   Eigen::VectorXd change_;
-  CameraPreset preset_ = CameraPreset::front;
+  bool bone_visible_ = true;
   bool change_outdated_ = true;
   bool colour_map_ = false;
   bool before_ = false;

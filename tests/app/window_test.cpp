@@ -547,6 +547,9 @@ void WindowTest::cancelEndsAnOpening() {
 void WindowTest::laterOpeningWins() {
   const User user = this->user();
   QSignalSpy opened(&user.model(), &CaseController::case_opened);
+  user.action("bone_action")->setChecked(false);
+  user.look_from("three_quarter_action");
+  const Picture without_bone = window_->face_view().picture();
   const QString second =
       changed_case("second.json", [](SurgicalCase& plan) { plan.name = "the second"; });
   window_->open_case(demo_ + "/case.json");
@@ -557,6 +560,11 @@ void WindowTest::laterOpeningWins() {
   QCOMPARE(opened.count(), 1);
   QCOMPARE(user.model().loaded().plan.name, std::string("the second"));
   QVERIFY(window_->windowTitle().startsWith("the second"));
+  // What the user chose to see holds for the next case too.
+  reset_motion();
+  QTRY_VERIFY(differing_pixels(without_bone, window_->face_view().picture()) < 20);
+  user.action("bone_action")->setChecked(true);
+  QVERIFY(differing_pixels(without_bone, window_->face_view().picture()) > 500);
 }
 
 void WindowTest::windowMayCloseDuringWork() {

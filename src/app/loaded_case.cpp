@@ -54,7 +54,7 @@ fs::path cached_demo_case(const fs::path& cache, const fs::path& program, Progre
   std::error_code none;
   const std::string prefix = "demo-case-";
   const auto build = fs::last_write_time(program, none).time_since_epoch().count();
-  const fs::path folder = cache / (prefix + GNATHION_VERSION + "-" + std::to_string(build));
+  fs::path folder = cache / (prefix + GNATHION_VERSION + "-" + std::to_string(build));
   if (fs::exists(folder / "case.json", none)) return folder;
   fs::create_directories(cache, none);
   if (!fs::is_directory(cache, none)) {

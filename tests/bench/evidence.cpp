@@ -232,11 +232,12 @@ void print_ray_trees() {
       rays.push_back({skin.vertices.row(v).transpose() - 5 * direction, direction});
     }
   }
-  std::cout << rays.size() << " rays, a quarter of them aimed exactly at vertices, against "
-            << skin.triangles.rows() << " triangles. Hits differ when one tree finds none or "
-            << "another distance by more than 1e-6 mm.\n\n"
-            << "| tree | build, ms | rays/s | aimed at vertices: lost | other rays: differ from ours "
-               "|\n|---|---|---|---|---|\n";
+  std::cout
+      << rays.size() << " rays, a quarter of them aimed exactly at vertices, against "
+      << skin.triangles.rows() << " triangles. Hits differ when one tree finds none or "
+      << "another distance by more than 1e-6 mm.\n\n"
+      << "| tree | build, ms | rays/s | aimed at vertices: lost | other rays: differ from ours "
+         "|\n|---|---|---|---|---|\n";
   bench::Hits reference;
   for (const auto& tree : bench::ray_trees()) {
     const double build = seconds([&] { tree->build(skin); });
@@ -253,8 +254,8 @@ void print_ray_trees() {
       }
     }
     std::cout << "| " << tree->name() << " | " << ms(build) << " | "
-              << static_cast<long>(static_cast<double>(rays.size()) / ask) << " | " << lost
-              << " | " << different << " |\n";
+              << static_cast<long>(static_cast<double>(rays.size()) / ask) << " | " << lost << " | "
+              << different << " |\n";
   }
 }
 

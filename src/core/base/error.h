@@ -11,9 +11,9 @@ enum class ErrorKind {
   usage = 2,      ///< the command line
   case_file = 3,  ///< a key or value of the case file
   input = 4,      ///< a file or folder that the user gave
-  anatomy = 5,    ///< the input is readable, but no plan can be made of it (empty segment, no rim…)
-  numeric = 6,    ///< the equations could not be solved to the stated accuracy
-  output = 7,     ///< the result could not be written
+  anatomy = 5,  ///< the input is readable, but no plan can be made of it (empty segment, no rim…)
+  numeric = 6,  ///< the equations could not be solved to the stated accuracy
+  output = 7,   ///< the result could not be written
   cancelled = 8,  ///< the user stopped the work
 };
 

@@ -32,7 +32,8 @@ void Progress::notice(std::string text) {
 
 void Progress::check() const {
   if (cancelled_) {
-    throw Error(ErrorKind::cancelled, "prediction", "stopped on request", "start it again to continue");
+    throw Error(ErrorKind::cancelled, "prediction", "stopped on request",
+                "start it again to continue");
   }
 }
 

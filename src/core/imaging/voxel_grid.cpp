@@ -78,7 +78,7 @@ std::vector<float> resampled(const CtVolume& volume, const VoxelGrid& grid, floa
   std::vector<float> values(grid.size(), outside);
   const Eigen::Vector3d step = volume.ijk_from_lps().block<3, 1>(0, 0) * grid.step;
   const std::int16_t* hu = volume.hu().data();
-  const Eigen::Vector3i dims = volume.dims();
+  const Eigen::Vector3i& dims = volume.dims();
   const auto row = static_cast<std::ptrdiff_t>(dims.x());
   const auto slice = row * dims.y();
   const Eigen::Vector3d last = (dims.array() - 1).cast<double>();
@@ -127,7 +127,7 @@ Mask squared_distances(const Mask& mask, const VoxelGrid& grid, int radius) {
 }
 
 std::vector<std::size_t> flood(Mask& mask, const VoxelGrid& grid, std::uint8_t from,
-                               std::uint8_t to, std::vector<std::size_t> seeds) {
+                               std::uint8_t to, const std::vector<std::size_t>& seeds) {
   std::vector<std::size_t> reached;
   for (const std::size_t seed : seeds) {
     if (mask[seed] != from) continue;

@@ -42,6 +42,6 @@ Mask squared_distances(const Mask& mask, const VoxelGrid& grid, int radius);
 /// The voxels with mask == from that are joined to a seed through faces become `to`; returns them.
 /// Seeds that are not `from` are passed over.
 std::vector<std::size_t> flood(Mask& mask, const VoxelGrid& grid, std::uint8_t from,
-                               std::uint8_t to, std::vector<std::size_t> seeds);
+                               std::uint8_t to, const std::vector<std::size_t>& seeds);
 
 }  // namespace gnathion

@@ -161,7 +161,7 @@ PhantomTruth write_phantom_case(const std::filesystem::path& folder, const Phant
                                 Progress& progress) {
   check(folder, options);
   const HeadModel head;
-  const PhantomTruth truth = phantom_truth();
+  PhantomTruth truth = phantom_truth();
   make_folder(folder / "ct");
   write_phantom_dicom(make_phantom_volume(head, options, progress), folder / "ct", options.seed,
                       progress);

@@ -256,8 +256,10 @@ void write_bytes(const std::filesystem::path& path, const char* bytes, std::size
 }  // namespace
 
 Eigen::Vector2d PhantomPhotograph::texture_coordinate(int grid_index) const {
-  const double u = static_cast<double>(grid_index % columns) / (columns - 1);
-  const double v = static_cast<double>(grid_index / columns) / (rows - 1);
+  const int column = grid_index % columns;
+  const int row = grid_index / columns;
+  const double u = static_cast<double>(column) / (columns - 1);
+  const double v = static_cast<double>(row) / (rows - 1);
   return {margin + (1 - 2 * margin) * u, margin + (1 - 2 * margin) * v};
 }
 

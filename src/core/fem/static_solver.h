@@ -49,13 +49,17 @@ class StaticSolver {
   const StiffnessMatrix& stiffness() const { return K_; }
   const Supports& supports() const { return supports_; }
   int free_count() const { return static_cast<int>(free_nodes_.size()); }
+  /// The mesh's index of each free node, ascending.
+  const std::vector<int>& free_nodes() const { return free_nodes_; }
 
- private:
+  /// The lower triangle of K's rows and columns of the free nodes (component 3i+axis of the i-th),
+  /// and an order to eliminate them in.
   Eigen::SparseMatrix<double> free_part(std::vector<int>& order) const;
 
+ private:
   StiffnessMatrix K_;
   Supports supports_;
-  std::vector<int> free_nodes_;  ///< the mesh's index of each free node
+  std::vector<int> free_nodes_;
   std::vector<int> free_index_;  ///< n, place among the free nodes, −1 for the others
   std::unique_ptr<SpdFactor> factor_;
 };

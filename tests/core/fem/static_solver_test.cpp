@@ -7,35 +7,14 @@
 
 #include "base/error.h"
 #include "fem/response_basis.h"
-#include "support/face_patch.h"
-#include "tissue/st_generator.h"
+#include "support/held_patch.h"
 
 namespace gnathion {
 namespace {
 
-/// A patch with rim fixed and the inner points around its middle attached.
-struct HeldPatch {
-  SoftTissueMesh tissue;
-  Supports supports;
-};
-
-HeldPatch held_patch() {
-  const IntermediateMesh region = testing::whole_region(testing::hard_patch(1, 0));
-  HeldPatch patch{st_generator(region, offset_directions(region, 5),
-                               Eigen::VectorXd::Constant(region.mesh.vertices.rows(), 5)),
-                  {}};
-  const Points& x = patch.tissue.mesh.vertices;
-  patch.supports.assign(static_cast<std::size_t>(x.rows()), Support::free);
-  const Eigen::RowVector3d middle = x.topRows(patch.tissue.surface_count).colwise().mean();
-  for (int v = 0; v < patch.tissue.surface_count; ++v) {
-    if (region.rim[v]) {
-      patch.supports[v] = patch.supports[patch.tissue.inner(v)] = Support::fixed;
-    } else if ((x.row(v) - middle).head<2>().norm() < 12) {
-      patch.supports[patch.tissue.inner(v)] = Support::attached;
-    }
-  }
-  return patch;
-}
+using testing::attached_displacements;
+using testing::held_patch;
+using testing::HeldPatch;
 
 RigidMotion some_motion(const Eigen::Vector3d& about) {
   RigidMotion motion;
@@ -43,16 +22,6 @@ RigidMotion some_motion(const Eigen::Vector3d& about) {
       Eigen::AngleAxisd(0.15, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
   motion.translation = about - motion.rotation * about + Eigen::Vector3d(1, -5, 2);
   return motion;
-}
-
-Points attached_displacements(const HeldPatch& patch, const RigidMotion& motion) {
-  Points u = Points::Zero(patch.tissue.mesh.vertices.rows(), 3);
-  const Points goal = moved(patch.tissue.mesh.vertices, motion);
-  for (Eigen::Index i = 0; i < u.rows(); ++i) {
-    if (patch.supports[i] == Support::attached)
-      u.row(i) = goal.row(i) - patch.tissue.mesh.vertices.row(i);
-  }
-  return u;
 }
 
 TEST(Stiffness, IsSymmetricWithSixRigidModesAndNoOther) {

@@ -1,0 +1,183 @@
+#include "fem/damped_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "base/error.h"
+#include "support/held_patch.h"
+
+namespace gnathion {
+namespace {
+
+using testing::attached_displacements;
+using testing::held_patch;
+using testing::HeldPatch;
+
+/// A held patch, its statics and where a motion of the bone brings it.
+struct Scene {
+  HeldPatch patch = held_patch();
+  Progress progress;
+  StaticSolver statics{patch.tissue.mesh, {}, patch.supports, progress};
+  Points prescribed;
+  Points settled;
+
+  Scene() {
+    RigidMotion motion;
+    motion.translation << 1, -5, 2;
+    prescribed = attached_displacements(patch, motion);
+    settled = statics.solve(prescribed, Points::Zero(prescribed.rows(), 3)).displacements;
+  }
+  double distance(const DampedMotion& motion) const {
+    return (motion.displacements() - settled).norm() / settled.norm();
+  }
+  /// Energy above that of the settled state.
+  double excess(const DampedMotion& motion) const {
+    const Points force = statics.stiffness() * settled;
+    return motion.energy() - (settled.array() * force.array()).sum() / 2;
+  }
+};
+
+/// The lowest free vibration of the scene: ω and its shape.
+struct Mode {
+  double omega = 0;
+  Points shape;
+};
+
+Mode lowest_mode(const HeldPatch& patch, const StaticSolver& statics, double density) {
+  std::vector<int> order;
+  const Eigen::MatrixXd lower = statics.free_part(order);
+  const Eigen::MatrixXd K = lower.selfadjointView<Eigen::Lower>();
+  Eigen::VectorXd node_mass = Eigen::VectorXd::Zero(patch.tissue.mesh.vertices.rows());
+  const Points& x = patch.tissue.mesh.vertices;
+  for (const auto& t : patch.tissue.mesh.tets.rowwise()) {
+    const double volume = linear_tet(x.row(t[0]), x.row(t[1]), x.row(t[2]), x.row(t[3])).volume;
+    for (const int node : t) node_mass[node] += density * volume / 4;
+  }
+  Eigen::VectorXd root(K.rows());
+  for (int i = 0; i < statics.free_count(); ++i) {
+    root.segment<3>(3 * i).setConstant(1 / std::sqrt(node_mass[statics.free_nodes()[i]]));
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(root.asDiagonal() * K *
+                                                              root.asDiagonal());
+  Mode mode{std::sqrt(solver.eigenvalues()[0]), Points::Zero(x.rows(), 3)};
+  const Eigen::VectorXd shape = root.cwiseProduct(solver.eigenvectors().col(0));
+  for (int i = 0; i < statics.free_count(); ++i) {
+    mode.shape.row(statics.free_nodes()[i]) = shape.segment<3>(3 * i) / shape.cwiseAbs().maxCoeff();
+  }
+  return mode;
+}
+
+class Schemes : public ::testing::TestWithParam<TimeScheme> {};
+
+TEST_P(Schemes, SettleToTheStaticSolution) {
+  const Scene scene;
+  DynamicsOptions options;
+  options.scheme = GetParam();
+  options.step = 0.05;
+  DampedMotion motion(scene.statics, scene.patch.tissue.mesh, options);
+  motion.set_prescribed(scene.prescribed);
+  EXPECT_GT(scene.distance(motion), 0.1) << "the tissue is still at rest";
+  for (int k = 0; k < 200; ++k) motion.step();
+  EXPECT_LT(scene.distance(motion), 1e-6);
+  EXPECT_NEAR(motion.time(), 10, 1e-9);
+  EXPECT_LT(motion.velocities().cwiseAbs().maxCoeff(), 1e-6);
+}
+
+TEST_P(Schemes, AreStableAtEveryStepEvenWithoutDamping) {
+  const Scene scene;
+  for (const double step : {1e-6, 1e-4, 1e-2, 1.0, 1e3}) {
+    for (const double damping : {0.0, 1.0, 1e4}) {
+      DynamicsOptions options;
+      options.scheme = GetParam();
+      options.step = step;
+      options.alpha = 20 * damping;
+      options.beta = 0.01 * damping;
+      DampedMotion motion(scene.statics, scene.patch.tissue.mesh, options);
+      motion.set_prescribed(scene.prescribed);
+      const double start = scene.excess(motion);
+      ASSERT_GT(start, 0);
+      // Newmark's first steps after a jump may hold more energy than the jump; none may grow.
+      double early = start, late = 0;
+      for (int k = 0; k < 100; ++k) {
+        motion.step();
+        ASSERT_TRUE(motion.displacements().allFinite()) << step << ' ' << damping;
+        double& largest = k < 50 ? early : late;
+        largest = std::max(largest, scene.excess(motion));
+      }
+      EXPECT_LT(late, 1.001 * early) << "step " << step << " s, damping " << damping;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, Schemes,
+                         ::testing::Values(TimeScheme::implicit_euler, TimeScheme::newmark));
+
+TEST(DampedMotion, ImplicitEulerNeverGainsEnergy) {
+  const Scene scene;
+  DynamicsOptions options;
+  options.alpha = options.beta = 0;
+  options.step = 1e-3;
+  DampedMotion motion(scene.statics, scene.patch.tissue.mesh, options);
+  motion.set_prescribed(scene.prescribed);
+  double last = scene.excess(motion);
+  const double rounding = 1e-12 * last;
+  for (int k = 0; k < 50; ++k) {
+    motion.step();
+    const double now = scene.excess(motion);
+    EXPECT_LE(now, last + rounding);
+    last = now;
+  }
+}
+
+TEST(DampedMotion, AModeDecaysAsRayleighSaysAtTheSchemesOwnRate) {
+  const HeldPatch patch = held_patch(testing::flat_disk(196, 52, 2.2), 6);
+  Progress progress;
+  const StaticSolver statics(patch.tissue.mesh, {}, patch.supports, progress);
+  DynamicsOptions options;
+  const Mode mode = lowest_mode(patch, statics, options.density);
+  // ü + 2ζω u̇ + ω²u = 0 with 2ζω = α + βω²: 10 % of critical damping, half from each term.
+  options.alpha = 0.1 * mode.omega;
+  options.beta = 0.1 / mode.omega;
+  const double zeta = 0.1, damped = mode.omega * std::sqrt(1 - zeta * zeta);
+  const double end = 2 / mode.omega;
+  const double exact =
+      std::exp(-zeta * mode.omega * end) *
+      (std::cos(damped * end) + zeta * mode.omega / damped * std::sin(damped * end));
+  const auto error = [&](TimeScheme scheme, int steps) {
+    options.scheme = scheme;
+    options.gamma = 0.5;
+    options.step = end / steps;
+    DampedMotion motion(statics, patch.tissue.mesh, options);
+    motion.set_state(mode.shape, Points::Zero(mode.shape.rows(), 3));
+    for (int k = 0; k < steps; ++k) motion.step();
+    return (motion.displacements() - exact * mode.shape).cwiseAbs().maxCoeff();
+  };
+  const double euler =
+      error(TimeScheme::implicit_euler, 100) / error(TimeScheme::implicit_euler, 200);
+  EXPECT_NEAR(euler, 2, 0.1);
+  const double newmark = error(TimeScheme::newmark, 50) / error(TimeScheme::newmark, 100);
+  EXPECT_NEAR(newmark, 4, 0.2);
+}
+
+TEST(DampedMotion, RefusesOptionsOutOfRange) {
+  const Scene scene;
+  const auto refused = [&](auto set) {
+    DynamicsOptions options;
+    set(options);
+    try {
+      const DampedMotion motion(scene.statics, scene.patch.tissue.mesh, options);
+      return std::string("accepted");
+    } catch (const Error& error) {
+      return error.subject();
+    }
+  };
+  EXPECT_EQ(refused([](auto& o) { o.step = 0; }), "dynamics.step");
+  EXPECT_EQ(refused([](auto& o) { o.density = -1; }), "dynamics.density");
+  EXPECT_EQ(refused([](auto& o) { o.alpha = std::nan(""); }), "dynamics.alpha");
+  EXPECT_EQ(refused([](auto& o) { o.beta = -1e-9; }), "dynamics.beta");
+  EXPECT_EQ(refused([](auto& o) { o.gamma = 0.49; }), "dynamics.gamma");
+}
+
+}  // namespace
+}  // namespace gnathion

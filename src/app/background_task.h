@@ -46,7 +46,7 @@ class BackgroundTask : public QObject {
  signals:
   void stage_began(const QString& stage);
   void noticed(const QString& notice);
-  // Exactly one of these ends every work.
+  // Exactly one of these ends every work, unless another takes its place.
   void finished();  ///< after its result is published
   void cancelled();
   void failed(const gnathion::Failure& failure);

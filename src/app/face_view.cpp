@@ -113,6 +113,8 @@ void FaceView::show_case(const LoadedCase& loaded) {
   set_bone_visible(bone_visible_);
   change_.resize(0);
   change_outdated_ = true;
+  dragging_ = false;  // attaching anew takes the grips out of a hand that holds one
+  set_quick(false);
   handle_.set_home(handle_home(loaded));
   handle_.attach(canvas_->renderWindow()->GetInteractor(), scene_.renderer());
   look_from(CameraPreset::three_quarter);

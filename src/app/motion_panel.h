@@ -25,7 +25,6 @@ class MotionPanel : public QWidget {
   void show_response(const Response& response);
   /// false: a model of forces, which cannot turn the bone.
   void set_turns_enabled(bool enabled);
-  QString statistics_text() const;
 
  signals:
   void motion_edited(const gnathion::JawMotion& motion);

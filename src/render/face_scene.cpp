@@ -527,10 +527,6 @@ void FaceScene::set_bone_pose(const std::string& name, const RigidMotion& pose) 
   }
 }
 
-void FaceScene::set_bone_look(const std::string& name, const BoneLook& look) {
-  if (Impl::Bone* bone = impl_->find_bone(name)) Impl::apply_look(*bone, look);
-}
-
 void FaceScene::set_bone_visible(const std::string& name, bool visible) {
   if (Impl::Bone* bone = impl_->find_bone(name)) {
     bone->visible = visible;

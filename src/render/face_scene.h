@@ -81,7 +81,6 @@ class FaceScene {
                 const Triangles& coarse = {});
   /// Names that the scene does not have are ignored, so that a view can be set before a case is.
   void set_bone_pose(const std::string& name, const RigidMotion& pose);
-  void set_bone_look(const std::string& name, const BoneLook& look);
   void set_bone_visible(const std::string& name, bool visible);
   /// true: bones that have coarse triangles are drawn with those. Switch it on while a segment is
   /// dragged or the camera turns, off at rest.

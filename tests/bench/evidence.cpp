@@ -226,10 +226,10 @@ void print_ray_trees() {
   std::vector<bench::Ray> rays;
   for (Eigen::Index v = 0; v < skin.vertices.rows(); ++v) {
     const Eigen::Vector3d n = normals.row(v);
-    // Also slightly turned rays, so that not all aim at vertices.
+    // Also slightly turned rays, which do not aim at vertices.
     for (const double tilt : {0.0, 0.03, -0.07, 0.11}) {
       const Eigen::Vector3d direction = (n + tilt * Eigen::Vector3d(0.6, 0.8, 0)).normalized();
-      rays.push_back({skin.vertices.row(v).transpose() - 5 * direction, direction});
+      rays.push_back({skin.vertices.row(v).transpose() - 5 * n, direction});
     }
   }
   std::cout

@@ -3,6 +3,8 @@
 #include <metis.h>
 
 #include <Eigen/SparseCholesky>
+#include <mutex>
+#include <new>
 #include <string>
 #include <utility>
 #include <variant>
@@ -26,7 +28,8 @@ namespace {
 class CholmodFactor {
  public:
   CholmodFactor(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& order) {
-    openblas_set_num_threads(1);
+    static std::once_flag one_thread;  // never while another factor is at work
+    std::call_once(one_thread, [] { openblas_set_num_threads(1); });
     cholmod_start(&common_);
     common_.supernodal = CHOLMOD_SUPERNODAL;
     common_.nmethods = 1;
@@ -54,7 +57,10 @@ class CholmodFactor {
     b.nzmax = b.nrow * b.ncol;
     b.x = const_cast<double*>(B.data());  // CHOLMOD's interface has no const; it only reads b
     b.xtype = CHOLMOD_REAL;
+    // Solving writes into the workspace, and a model may be asked from several threads.
+    const std::lock_guard lock(mutex_);
     cholmod_dense* x = cholmod_solve(CHOLMOD_A, factor_, &b, &common_);
+    if (x == nullptr) throw std::bad_alloc();
     Eigen::MatrixXd X = Eigen::Map<Eigen::MatrixXd>(static_cast<double*>(x->x), B.rows(), B.cols());
     cholmod_free_dense(&x, &common_);
     return X;
@@ -79,6 +85,7 @@ class CholmodFactor {
     cholmod_finish(&common_);
   }
 
+  std::mutex mutex_;
   cholmod_common common_{};
   cholmod_factor* factor_ = nullptr;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -113,9 +114,10 @@ Eigen::MatrixXd StaticSolver::solve_columns(const Eigen::MatrixXd& prescribed,
   for (Eigen::Index column = 0; column < u.cols(); ++column) {
     const double scale = right_side.col(column).norm();
     if (scale > 0 && residual.col(column).norm() > kResidualLimit * scale) {
+      std::ostringstream size;
+      size << residual.col(column).norm() / scale;
       throw Error(ErrorKind::numeric, "solver",
-                  "the relative residual is " +
-                      std::to_string(residual.col(column).norm() / scale) + ", above the limit",
+                  "the relative residual is " + size.str() + ", above the limit of 1e-8",
                   "use a better shaped region or a smaller Poisson's ratio");
     }
   }

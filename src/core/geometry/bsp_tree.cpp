@@ -168,7 +168,9 @@ std::optional<NearestPoint> BspTree::nearest(const Eigen::Vector3d& point, doubl
       const Eigen::Vector3d q =
           nearest_on_triangle(point, corners_[i].a, corners_[i].b, corners_[i].c);
       const double squared = (q - point).squaredNorm();
-      if (squared > limit || (best && squared == limit && triangle_[i] > best->triangle)) continue;
+      // The negation also passes over a triangle with an edge of no length, which gives no number.
+      if (!(squared <= limit)) continue;
+      if (best && squared == limit && triangle_[i] > best->triangle) continue;
       limit = squared;
       best = NearestPoint{triangle_[i], std::sqrt(squared), q};
     }

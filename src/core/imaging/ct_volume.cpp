@@ -50,10 +50,6 @@ Eigen::Vector3d CtVolume::steps() const {
   return lps_from_ijk_.topLeftCorner<3, 3>().colwise().norm();
 }
 
-double CtVolume::voxel_volume() const {
-  return std::abs(lps_from_ijk_.topLeftCorner<3, 3>().determinant());
-}
-
 Eigen::Vector3d CtVolume::lps(const Eigen::Vector3d& ijk) const {
   return lps_from_ijk_.topLeftCorner<3, 3>() * ijk + lps_from_ijk_.topRightCorner<3, 1>();
 }

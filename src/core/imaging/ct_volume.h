@@ -38,7 +38,6 @@ class CtVolume {
 
   /// Steps between neighbouring voxels along i, j, k, mm.
   Eigen::Vector3d steps() const;
-  double voxel_volume() const;  ///< mm³, positive
 
   Eigen::Vector3d lps(const Eigen::Vector3d& ijk) const;
   Eigen::Vector3d ijk(const Eigen::Vector3d& lps) const;

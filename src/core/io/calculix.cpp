@@ -1,6 +1,5 @@
 #include "io/calculix.h"
 
-#include <fstream>
 #include <sstream>
 #include <string>
 

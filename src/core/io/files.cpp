@@ -110,14 +110,15 @@ NewFolder::NewFolder(const fs::path& target) {
   }
   target_ = fs::absolute(target).lexically_normal();
   if (!target_.has_filename()) target_ = target_.parent_path();
-  if (fs::exists(fs::symlink_status(target_))) {
+  std::error_code failure;  // of a name that cannot even be looked up: making the folder says why
+  if (fs::exists(fs::symlink_status(target_, failure))) {
     throw Error(ErrorKind::output, target_.string(),
                 "it exists already, and nothing is overwritten", "name a new folder");
   }
   // The name must be new: a killed program of the same number may have left its folder behind.
   const std::string name =
       "." + target_.filename().string() + ".partial-" + std::to_string(getpid());
-  std::error_code failure;
+  failure.clear();
   bool made = false;
   for (int attempt = 0; !made && !failure; ++attempt) {
     partial_ = target_.parent_path() / (name + (attempt == 0 ? "" : "-" + std::to_string(attempt)));
@@ -137,8 +138,11 @@ NewFolder::~NewFolder() {
 
 void NewFolder::publish() {
   std::error_code failure;
-  if (fs::exists(target_)) failure = std::make_error_code(std::errc::file_exists);
-  if (!failure) fs::rename(partial_, target_, failure);
+  if (fs::exists(fs::symlink_status(target_, failure))) {
+    failure = std::make_error_code(std::errc::file_exists);
+  } else {
+    fs::rename(partial_, target_, failure);
+  }
   if (failure) {
     throw Error(ErrorKind::output, target_.string(), failure.message(), "name a new folder");
   }

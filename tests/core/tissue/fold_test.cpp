@@ -81,7 +81,6 @@ TEST(Unfold, LeavesASmoothFaceAlone) {
 
 TEST(Unfold, MakesAFoldedPatchMeshable) {
   TriangleMesh mesh = testing::flat_disk(400, 76, 2);
-  const Points flat = mesh.vertices;
   mesh.vertices.row(210) += Eigen::RowVector3d(5, 0.5, 0.5);  // pushed across its neighbours
   const IntermediateMesh region = testing::whole_region(mesh);
   const auto generate = [](const IntermediateMesh& r) {

@@ -91,7 +91,7 @@ void CaseController::publish(std::shared_ptr<const LoadedCase> loaded) {
 }
 
 void CaseController::export_face(const fs::path& folder) {
-  if (!has_case()) return;
+  if (!has_case() || is_exporting()) return;
   exporting_.start([this, loaded = loaded_, motion = motion_, folder](Progress& progress) {
     export_prediction(*loaded, motion, folder, progress);
     return [this, folder] { emit exported(QFile::decodeName(folder.c_str())); };

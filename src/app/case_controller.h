@@ -46,9 +46,11 @@ class CaseController : public QObject {
   /// The embedded default case, written into `cache` first when it is not there.
   void open_demo_case(const std::filesystem::path& cache);
   /// Writes the face predicted for the present motion; ends with exported() or failed().
+  /// Nothing happens while another export is under way.
   void export_face(const std::filesystem::path& folder);
   /// Cancels opening and exporting.
   void cancel();
+  bool is_exporting() const { return exporting_.is_running(); }
   bool is_working() const { return opening_.is_running() || exporting_.is_running(); }
 
   /// Moves the segment; values beyond largest_shift_mm and largest_turn_deg are cut to them.

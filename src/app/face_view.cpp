@@ -199,6 +199,8 @@ void FaceView::set_colour_map_visible(bool visible) {
 }
 
 void FaceView::set_before_visible(bool visible) {
+  // Grips that vanish from the hand that holds one never hear of its letting go.
+  if (dragging_) canvas_->renderWindow()->GetInteractor()->LeftButtonReleaseEvent();
   before_ = visible;
   show_points();
   show_change();

@@ -62,9 +62,17 @@ fs::path cached_demo_case(const fs::path& cache, const fs::path& program, Progre
                 "make it, or set XDG_CACHE_HOME to a folder that can be written");
   }
   for (const auto& entry : fs::directory_iterator(cache, none)) {
+    // Another window may have made it by now.
+    if (entry.path() == folder && fs::exists(folder / "case.json", none)) continue;
     if (entry.path().filename().string().rfind(prefix, 0) == 0) fs::remove_all(entry, none);
   }
-  write_demo_case(1, folder, progress);
+  try {
+    write_demo_case(1, folder, progress);
+  } catch (const Error& error) {
+    // Another window that began at the same time was sooner: its case is the same.
+    const bool made = fs::exists(folder / "case.json", none);
+    if (error.kind() != ErrorKind::output || !made) throw;
+  }
   return folder;
 }
 

@@ -157,13 +157,16 @@ void MainWindow::connect_work() {
   connect(&controller_, &CaseController::work_ended, this, &MainWindow::update_enabled);
   connect(&controller_, &CaseController::failed, ui_->message_bar, &MessageBar::show_failure);
   connect(&controller_, &CaseController::noticed, this, [this](const QString& notice) {
-    ui_->message_bar->show_notice(tr("Please note"), notice);
+    ui_->message_bar->add_notice(tr("Please note"), notice);
   });
   connect(&controller_, &CaseController::exported, this, [this](const QString& folder) {
     ui_->message_bar->show_notice(
         tr("Exported"),
         tr("The predicted face (predicted.obj) and its report are in %1").arg(folder));
   });
+  // An export may end while an opening goes on, and with it no work_ended comes.
+  connect(&controller_, &CaseController::exported, this, &MainWindow::update_enabled);
+  connect(&controller_, &CaseController::failed, this, &MainWindow::update_enabled);
 }
 
 void MainWindow::update_enabled() {
@@ -175,6 +178,7 @@ void MainWindow::update_enabled() {
         ui_->textured_action, ui_->bone_action, ui_->colour_map_action, ui_->before_action}) {
     action->setEnabled(any);
   }
+  ui_->export_action->setEnabled(any && !controller_.is_exporting());
   ui_->textured_action->setEnabled(any && has_texture(controller_.loaded()));
   panel_->setEnabled(any);
   opacity_slider_->setEnabled(any);

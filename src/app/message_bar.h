@@ -8,6 +8,7 @@
 namespace Ui {
 class MessageBar;
 }
+class QScrollArea;
 
 namespace gnathion {
 
@@ -21,12 +22,15 @@ class MessageBar : public QFrame {
 
   void show_failure(const Failure& failure);
   void show_notice(const QString& title, const QString& text);
+  /// Below the notices that are shown under the same title already, or as show_notice.
+  void add_notice(const QString& title, const QString& text);
 
  private:
   void show_text(const QString& colour, const QString& title, const QString& text,
                  const QString& remedy);
 
   std::unique_ptr<Ui::MessageBar> ui_;
+  QScrollArea* text_area_;
 };
 
 }  // namespace gnathion

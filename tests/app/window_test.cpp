@@ -16,6 +16,7 @@
 #include <QTest>
 #include <QToolButton>
 #include <filesystem>
+#include <future>
 #include <memory>
 
 #include <vtkCamera.h>
@@ -165,6 +166,10 @@ class WindowTest : public QObject {
   void laterOpeningWins();
   void windowMayCloseDuringWork();
   void exportOutlivesTheWindow();
+  void oneExportAtATime();
+  void noticesAreJoined();
+  void beforeEndsADrag();
+  void demoCaseMayBeMadeTwiceAtOnce();
   void modelOfForcesDoesNotTurn();
   void programWithoutDisplaySaysSo();
 
@@ -569,14 +574,103 @@ void WindowTest::laterOpeningWins() {
 
 void WindowTest::windowMayCloseDuringWork() {
   for (const int wait : {0, 30, 150, 400, 700, 1000}) {
+    const QTemporaryDir cache;
+    const fs::path folder = cache.path().toStdString();
+    const auto files = [&folder] {
+      std::vector<fs::path> found;
+      for (const auto& entry : fs::recursive_directory_iterator(folder)) found.push_back(entry);
+      return found;
+    };
     auto window = std::make_unique<MainWindow>();
     window->show();
-    window->open_case(demo_ + "/case.json");
+    int heard = 0;
+    CaseController& model = window->controller();
+    QObject::connect(&model, &CaseController::work_stage, [&heard] { ++heard; });
+    QObject::connect(&model, &CaseController::case_opened, [&heard] { ++heard; });
+    QObject::connect(&model, &CaseController::work_ended, [&heard] { ++heard; });
+    model.open_demo_case(folder);
     QTest::qWait(wait);
     window->close();
     window.reset();
-    QApplication::processEvents();
+    // The worker has ended: it writes and says no more, and what it had begun is removed.
+    const int heard_at_the_end = heard;
+    const std::vector<fs::path> left = files();
+    QTest::qWait(200);
+    QCOMPARE(heard, heard_at_the_end);
+    QVERIFY(files() == left);
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      QVERIFY2(fs::exists(entry.path() / "case.json"), entry.path().c_str());
+      QVERIFY2(entry.path().filename().string().front() != '.', entry.path().c_str());
+    }
   }
+}
+
+void WindowTest::oneExportAtATime() {
+  const User user = this->user();
+  const fs::path first = path("first").toStdString(), second = path("second").toStdString();
+  QVERIFY(user.action("export_action")->isEnabled());
+  user.model().export_face(first);
+  QVERIFY(!user.action("export_action")->isEnabled());
+  user.model().export_face(second);
+  QTRY_VERIFY_WITH_TIMEOUT(!user.model().is_working(), patience);
+  QVERIFY(fs::exists(first / "predicted.obj"));
+  QVERIFY(!fs::exists(second));
+  QVERIFY(user.action("export_action")->isEnabled());
+  user.model().export_face(second);
+  user.click("cancel_button");
+  QVERIFY(user.action("export_action")->isEnabled());
+  QVERIFY(!user.model().is_working());
+}
+
+void WindowTest::noticesAreJoined() {
+  const User user = this->user();
+  emit user.model().noticed("the first");
+  emit user.model().noticed("the second");
+  QCOMPARE(user.label("message_text"), QString("the first\nthe second"));
+  for (int i = 0; i < 60; ++i) emit user.model().noticed("one of many");
+  QTest::qWait(100);
+  QVERIFY(user.label("message_text").startsWith("the first\nthe second\none of many"));
+  QVERIFY(user.find<QWidget>("message_bar")->height() < 200);
+  QVERIFY(user.find<QLabel>("message_text")->height() > 600);  // whole, to be scrolled
+  QCOMPARE(window_->size(), QSize(1280, 800));
+  user.click("message_close");
+  emit user.model().noticed("another");
+  QCOMPARE(user.label("message_text"), QString("another"));
+  user.click("message_close");
+}
+
+void WindowTest::beforeEndsADrag() {
+  const User user = this->user();
+  user.look_from("left_action");
+  const QPoint grip = user.grip();
+  QSignalSpy ended(&window_->face_view(), &FaceView::drag_ended);
+  user.drag(grip, grip + QPoint(-24, -12), [&] { user.action("before_action")->trigger(); });
+  QCOMPARE(ended.count(), 1);
+  user.action("before_action")->trigger();
+  // The grip is in nobody's hand: it lets the mouse pass, and goes where a number sends it.
+  const JawMotion motion = user.model().motion();
+  QVERIFY(motion.forward_mm > 2);
+  QTest::mouseMove(user.canvas(), grip + QPoint(-60, -60));
+  QTest::mouseMove(user.canvas(), grip + QPoint(-80, -60));
+  QCOMPARE(user.model().motion(), motion);
+  reset_motion();
+  QTest::qWait(300);
+  QVERIFY((user.grip() - grip).manhattanLength() <= 2);
+  user.drag(grip, grip + QPoint(-24, 0));
+  QVERIFY(user.model().motion().forward_mm > 2);
+}
+
+void WindowTest::demoCaseMayBeMadeTwiceAtOnce() {
+  const fs::path cache = path("cache").toStdString();
+  const auto make = [&cache] {
+    Progress progress;
+    return cached_demo_case(cache, GNATHION_PROGRAM, progress);
+  };
+  std::future<fs::path> other = std::async(std::launch::async, make);
+  const fs::path folder = make();
+  QVERIFY(other.get() == folder);
+  QVERIFY(fs::exists(folder / "case.json"));
+  QVERIFY(std::distance(fs::directory_iterator(cache), fs::directory_iterator()) == 1);
 }
 
 void WindowTest::exportOutlivesTheWindow() {

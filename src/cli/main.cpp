@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
     if (!quiet) std::cerr << text + "\n" << std::flush;
   };
   Progress progress([&](const std::string& stage) { say("… " + stage); },
-                    [&](const std::string& notice) { say("notice: " + notice); });
+                    [](const std::string& notice) { std::cerr << "notice: " + notice + "\n"; });
   running = &progress;
   std::signal(SIGINT, cancel_on_signal);
   std::signal(SIGTERM, cancel_on_signal);

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -383,6 +384,81 @@ TEST_F(Cli, AMissingSliceIsCode4) {
   fs::remove(demo() / "gap" / slices[slices.size() / 2]);
   const std::string plan = changed_case("gap.json", [](json& c) { c["ct"]["path"] = "gap"; });
   expect_failure(4, {"gap"}, {"predict", plan, "x"});
+}
+
+TEST_F(Cli, ABrokenPhotographIsCode4) {
+  const std::string text = bytes_of(demo() / "photograph/face.obj");
+  const auto with_obj = [&](const std::string& changed) {
+    temporary_->write("Fälle von heute/demo/photograph/broken.obj", changed);
+    return changed_case("broken.json",
+                        [](json& c) { c["photograph"]["obj"] = "photograph/broken.obj"; });
+  };
+  expect_failure(4, {"broken.obj", "names vertex"},
+                 {"predict", with_obj(text + "f 1 2 999999\n"), "x"});
+  expect_failure(4, {"broken.obj", "not a finite number"},
+                 {"predict", with_obj("v nan 0 0\n" + text), "x"});
+  expect_failure(4, {"broken.obj", "no faces"},
+                 {"predict", with_obj(text.substr(0, text.find("\nf ")) + "\n"), "x"});
+}
+
+TEST_F(Cli, TwoSeriesOrACutOffSliceIsCode4) {
+  ASSERT_EQ(run_cli(folder(), {"-q", "demo-case", "--seed", "2", "second"}).code, 0);
+  fs::copy(demo() / "ct", demo() / "both");
+  for (const std::string& slice : names_in(folder() / "second/ct")) {
+    fs::copy_file(folder() / "second/ct" / slice, demo() / "both" / ("second_" + slice));
+  }
+  const std::string both = changed_case("both.json", [](json& c) { c["ct"]["path"] = "both"; });
+  expect_failure(4, {"both", "series"}, {"predict", both, "x"});
+
+  fs::copy(demo() / "ct", demo() / "cut");
+  const std::string slice = names_in(demo() / "cut")[20];
+  fs::resize_file(demo() / "cut" / slice, fs::file_size(demo() / "cut" / slice) / 2);
+  const std::string cut = changed_case("cut.json", [](json& c) { c["ct"]["path"] = "cut"; });
+  expect_failure(4, {slice}, {"predict", cut, "x"});
+  fs::remove_all(folder() / "second");
+}
+
+TEST_F(Cli, ARegionInPiecesIsCode5) {
+  std::string vertices;  // two patches of neighbouring rows, far apart
+  const std::size_t count = vertices_of(demo() / "photograph/face.obj").size();
+  for (std::size_t v = 0; v < count; ++v) {
+    if (v < count / 5 || v > count * 4 / 5) vertices += std::to_string(v) + "\n";
+  }
+  temporary_->write("Fälle von heute/demo/pieces.txt", vertices);
+  const std::string plan = changed_case("pieces.json", [](json& c) {
+    c["region"] = {{"vertices_file", "pieces.txt"}};
+  });
+  expect_failure(5, {"region", "pieces"}, {"predict", plan, "x"});
+}
+
+TEST_F(Cli, TheCasesOnRealDataPredict) {
+  const fs::path shared = GNATHION_SHARED_DATA;
+  if (!fs::exists(shared / "ct-head-phantom")) GTEST_SKIP() << "the real CT is not at hand";
+  const fs::path place = folder() / "real";
+  fs::create_directory(place);
+  const std::string unpack = "tar -xJf '" +
+                             (shared / "ct-head-phantom/dicom_head_135slices.tar.xz").string() +
+                             "' -C '" + place.string() + "'";
+  ASSERT_EQ(std::system(unpack.c_str()), 0);
+  for (const std::string name : {"ct-head-phantom", "face-scan-on-ct"}) {
+    json plan = json::parse(bytes_of(fs::path(GNATHION_TESTS_FOLDER) / "cases" / (name + ".json")));
+    if (plan.contains("photograph")) {
+      plan["photograph"]["obj"] = (shared / "face-scan/LeePerrySmith.obj").string();
+    }
+    temporary_->write("Fälle von heute/real/" + name + ".json", plan.dump());
+    const CliRun run =
+        run_cli(folder(), {"-q", "predict", "--no-pictures", "real/" + name + ".json", name});
+    ASSERT_EQ(run.code, 0) << run.err;
+    const json report = json::parse(bytes_of(folder() / name / "report.json"));
+    EXPECT_EQ(report["element_quality"]["inverted"], 0);
+    EXPECT_EQ(report["tets_inverted_by_the_motion"], 0);
+    EXPECT_LT(report["relative_residual"].get<double>(), 1e-12);
+    EXPECT_NEAR(report["landmarks"]["pogonion"]["ratio_to_bone"].get<double>(), 0.98, 0.03);
+    EXPECT_LT(report["landmarks"]["nose_tip"]["ratio_to_bone"].get<double>(), 0.05);
+    EXPECT_NEAR(report["sizes"]["segment_volume_mm3"].get<double>(), 62800, 500);
+    fs::remove_all(folder() / name);
+  }
+  fs::remove_all(place);
 }
 
 TEST_F(Cli, APlanThatTheAnatomyDoesNotAllowIsCode5) {

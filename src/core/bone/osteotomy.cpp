@@ -33,7 +33,7 @@ using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 
 [[noreturn]] void refuse(const std::string& problem, const std::string& remedy) {
-  throw Error(ErrorKind::anatomy, "osteotomy", problem, remedy);
+  throw Error(ErrorKind::anatomy, "segment", problem, remedy);
 }
 
 // --- the cut as a box ---------------------------------------------------------------------------
@@ -238,7 +238,7 @@ double distance_to(const TriangleMesh& mesh, const Eigen::Vector3d& p) {
 }
 
 bool contains(const TriangleMesh& mesh, const Eigen::Vector3d& p) {
-  const Mesh solid = to_cgal(mesh, edges_of(mesh, "osteotomy"));
+  const Mesh solid = to_cgal(mesh, edges_of(mesh, "bone surface"));
   const CGAL::Side_of_triangle_mesh<Mesh, Kernel> side(solid);
   return side(Point(p.x(), p.y(), p.z())) != CGAL::ON_UNBOUNDED_SIDE;
 }
@@ -282,7 +282,7 @@ Divided divide(const TriangleMesh& bone, const BoxCut& box) {
 
 std::vector<Edge> closed_edges(const TriangleMesh& bone) {
   if (bone.triangles.rows() == 0) refuse("there is no bone surface", "choose another HU level");
-  std::vector<Edge> edges = edges_of(bone, "osteotomy");
+  std::vector<Edge> edges = edges_of(bone, "bone surface");
   const auto open =
       std::count_if(edges.begin(), edges.end(), [](const Edge& e) { return e.right < 0; });
   if (open > 0) {

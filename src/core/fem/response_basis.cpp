@@ -57,7 +57,7 @@ ForceBasis::Result ForceBasis::displacements(const Eigen::Vector3d& translation)
   for (const int i : forced_) mean += u.segment<3>(3 * i).dot(direction);
   mean /= static_cast<double>(forced_.size());
   if (!(mean > 0)) {
-    throw Error(ErrorKind::numeric, "force transfer",
+    throw Error(ErrorKind::numeric, "tissue.load",
                 "no force along this motion moves the forced points along it",
                 "use displacement transfer (tissue.load: \"displacement\")");
   }

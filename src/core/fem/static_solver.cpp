@@ -24,7 +24,7 @@ StaticSolver::StaticSolver(const TetMesh& mesh, const ElasticMaterial& material,
     free_nodes_.push_back(i);
   }
   if (free_nodes_.size() == supports_.size()) {
-    throw Error(ErrorKind::numeric, "supports", "no point of the tissue is fixed or attached",
+    throw Error(ErrorKind::numeric, "region", "no point of the tissue is fixed or attached",
                 "choose a region with a rim, so that the face does not float");
   }
   const auto stage = progress.stage("factorise");

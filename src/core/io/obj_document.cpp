@@ -81,6 +81,14 @@ std::optional<double> finite_number(std::string_view word) {
   return value;
 }
 
+/// Throws unless the name leads to a file within the OBJ's folder: another could not be exported.
+void require_within(const fs::path& folder, const std::string& name) {
+  const fs::path relative = fs::path(name).lexically_normal();
+  if (!relative.is_absolute() && *relative.begin() != "..") return;
+  refuse(folder / name, "the photograph names this file outside its own folder",
+         "put MTL and textures into the OBJ's folder and correct their names");
+}
+
 /// A file that an OBJ or MTL names, which may have Windows' slashes.
 std::string existing_name(const fs::path& folder, std::string name) {
   if (fs::exists(folder / name)) return name;
@@ -214,6 +222,7 @@ void ObjDocument::find_materials() {
                "the material file that " + path_.filename().string() + " names does not exist",
                "put it beside the OBJ, or remove the mtllib line");
       }
+      require_within(folder, found);
       material_files_.push_back(found);
       material_text_ += read_text_file(folder / found) + "\n";
     }
@@ -230,6 +239,7 @@ void ObjDocument::find_materials() {
                "put the picture beside the OBJ under this name");
       }
       if (std::find(texture_files_.begin(), texture_files_.end(), name) == texture_files_.end()) {
+        require_within(folder, name);
         texture_files_.push_back(name);
       }
     });
@@ -352,12 +362,7 @@ void ObjDocument::write(const fs::path& folder, const std::string& name,
   std::sort(copies.begin(), copies.end());
   copies.erase(std::unique(copies.begin(), copies.end()), copies.end());
   for (const std::string& copy : copies) {
-    const fs::path relative = fs::path(copy).lexically_normal();
-    if (relative.is_absolute() || *relative.begin() == "..") {
-      throw Error(ErrorKind::output, copy,
-                  "the photograph names this file outside its own folder, so it cannot be copied",
-                  "put MTL and textures into the OBJ's folder and correct their names");
-    }
+    const fs::path relative = fs::path(copy).lexically_normal();  // within, as read() saw
     std::error_code failure;
     fs::create_directories((folder / relative).parent_path(), failure);
     fs::copy_file(path_.parent_path() / copy, folder / relative, failure);

@@ -16,7 +16,7 @@ class ObjDocument {
   /// Reads the OBJ, its MTL files and the names of their textures.
   /// Throws Error(input) naming the file, and the line where there is one: file missing or empty,
   /// a coordinate that is no finite number, no faces, a face with an index out of range or fewer
-  /// than three corners, a missing MTL or texture.
+  /// than three corners, a missing MTL or texture, or one outside the OBJ's folder.
   static ObjDocument read(const std::filesystem::path& path);
 
   /// A document that is in no file: a surface without texture, such as the skin of a CT.
@@ -35,7 +35,7 @@ class ObjDocument {
 
   /// Writes `name` with these vertices into an existing folder, and copies of the MTL files and
   /// textures, byte for byte, beside it as the OBJ names them. Throws Error(output), also when a
-  /// name leads out of the folder or is that of a file in it.
+  /// name is that of a file in it.
   void write(const std::filesystem::path& folder, const std::string& name,
              const Points& vertices) const;
 

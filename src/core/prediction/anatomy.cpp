@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "geometry/triangle_mesh.h"
 #include "imaging/ct_import.h"
+#include "io/files.h"
 
 namespace gnathion {
 namespace {
@@ -59,6 +60,8 @@ Anatomy build_anatomy(const SurgicalCase& plan, Progress& progress) {
     face = photograph_face(*plan.photograph);
   }
   const CtVolume ct = read_ct(plan.ct.path, plan.ct.series_uid, progress);
+  std::future<std::string> hash =
+      std::async(std::launch::async, [&] { return sha256_of(plan.ct.path); });
   // Skin and bone do not depend on each other. The future's destructor waits for its thread.
   std::future<TriangleMesh> skin;
   if (!face) {
@@ -68,7 +71,7 @@ Anatomy build_anatomy(const SurgicalCase& plan, Progress& progress) {
   SegmentResult cut = cut_segment(bone, plan.cut, {}, progress);
   if (!face) face = skin_face(skin.get());
   const Eigen::Vector3d pivot = plan.pivot.value_or(centre_of_volume(cut.segment));
-  return {std::move(bone), std::move(cut), std::move(*face), pivot};
+  return {std::move(bone), std::move(cut), std::move(*face), pivot, hash.get()};
 }
 
 }  // namespace gnathion

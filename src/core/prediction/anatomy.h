@@ -23,6 +23,7 @@ struct Anatomy {
   SegmentResult cut;
   Face face;
   Eigen::Vector3d pivot;  ///< about which the segment turns: the plan's, or its centre of volume
+  std::string ct_sha256;  ///< of the file or folder that was read
 };
 
 /// The face alone. Throws Error(input) as ObjDocument::read, and when the face in LPS is smaller

@@ -24,7 +24,8 @@ FaceLandmarks::FaceLandmarks(const std::map<std::string, Eigen::Vector3d>& place
     const Eigen::Matrix3d corners = anchor.rest.transpose();
     const Eigen::Vector3d n =
         (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0));
-    for (int k = 0; k < 3; ++k) {
+    if (n.isZero(0)) anchor.weight[0] = 1;  // a triangle without area: its corner is as near
+    for (int k = 0; k < 3 && !n.isZero(0); ++k) {
       const Eigen::Vector3d a = corners.col((k + 1) % 3), b = corners.col((k + 2) % 3);
       anchor.weight[k] = (a - anchor.point).cross(b - anchor.point).dot(n) / n.squaredNorm();
     }

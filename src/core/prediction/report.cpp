@@ -87,8 +87,8 @@ json landmarks_json(const Prediction& prediction) {
   return landmarks;
 }
 
-json inputs_json(const SurgicalCase& plan, const Anatomy& anatomy) {
-  json inputs{{"ct_sha256", sha256_of(plan.ct.path)}};
+json inputs_json(const Anatomy& anatomy) {
+  json inputs{{"ct_sha256", anatomy.ct_sha256}};
   if (!anatomy.face.is_photograph) return inputs;
   inputs["photograph_sha256"] = json::array();
   for (const auto& file : anatomy.face.document.files()) {
@@ -138,10 +138,13 @@ std::string report_json(const SurgicalCase& plan, const Anatomy& anatomy, const 
   const json report{
       {"gnathion_report", 1},
       {"program",
-       {{"name", "gnathion"}, {"version", GNATHION_VERSION}, {"vtk", GNATHION_VTK_VERSION}}},
+       {{"name", "gnathion"},
+        {"version", GNATHION_VERSION},
+        {"vtk", GNATHION_VTK_VERSION},
+        {"solver", default_spd_backend() == SpdBackend::cholmod ? "CHOLMOD" : "Eigen"}}},
       {"frame", "LPS, mm; the predicted OBJ is in the photograph's own frame and unit"},
       {"use", "research only; not a medical device"},
-      {"inputs", inputs_json(plan, anatomy)},
+      {"inputs", inputs_json(anatomy)},
       {"face", anatomy.face.is_photograph ? "photograph" : "skin of the CT"},
       {"motion", motion_json(plan, anatomy)},
       {"model", model_json(plan.tissue)},

@@ -249,7 +249,7 @@ TEST(Osteotomy, RefusesSurfacesThatAreNoSolid) {
   TriangleMesh doubled = bar();
   doubled.triangles.conservativeResize(doubled.triangles.rows() + 1, 3);
   doubled.triangles.bottomRows(1) = doubled.triangles.topRows(1);
-  expect_error(ErrorKind::anatomy, {"osteotomy"}, [&] { cut(doubled, box); });
+  expect_error(ErrorKind::anatomy, {"bone surface"}, [&] { cut(doubled, box); });
 }
 
 TEST(Osteotomy, RefusesABoneThatCutsItselfWhereTheBladeGoes) {

@@ -4,6 +4,8 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <cmath>
+#include <future>
 
 #include "base/error.h"
 #include "fem/response_basis.h"
@@ -135,6 +137,38 @@ TEST(StaticSolver, RefusesMaterialsOutOfRange) {
         ElasticMaterial{1, -0.1}, ElasticMaterial{std::nan(""), 0.4}}) {
     EXPECT_THROW(StaticSolver(patch.tissue.mesh, bad, patch.supports, progress), Error);
   }
+}
+
+TEST(SpdFactor, EitherBackendRefusesAnIndefiniteOrBrokenMatrix) {
+  Eigen::SparseMatrix<double> lower(2, 2);
+  lower.insert(0, 0) = 1;
+  lower.insert(1, 0) = 2;  // eigenvalues 3 and −1
+  lower.insert(1, 1) = 1;
+  lower.makeCompressed();
+  Eigen::SparseMatrix<double> broken = lower;
+  broken.coeffRef(1, 0) = std::nan("");
+  for (const SpdBackend backend : {default_spd_backend(), SpdBackend::eigen}) {
+    EXPECT_THROW(SpdFactor(lower, {0, 1}, backend), Error);
+    EXPECT_THROW(SpdFactor(broken, {0, 1}, backend), Error);
+  }
+}
+
+TEST(StaticSolver, AnswersSeveralThreadsAtOnce) {
+  const HeldPatch patch = held_patch();
+  const Points given = attached_displacements(patch, some_motion({20, 20, 0}));
+  const Points none = Points::Zero(given.rows(), 3);
+  Progress progress;
+  const StaticSolver solver(patch.tissue.mesh, {}, patch.supports, progress);
+  const Points alone = solver.solve(given, none).displacements;
+  std::vector<std::future<bool>> threads;
+  for (int t = 0; t < 4; ++t) {
+    threads.push_back(std::async(std::launch::async, [&] {
+      bool same = true;
+      for (int k = 0; k < 20; ++k) same = same && solver.solve(given, none).displacements == alone;
+      return same;
+    }));
+  }
+  for (auto& thread : threads) EXPECT_TRUE(thread.get());
 }
 
 TEST(ResponseBasis, EqualsTheDirectSolve) {

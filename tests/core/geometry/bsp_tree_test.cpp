@@ -114,6 +114,21 @@ TEST(BspTree, NearestPointIsThatOfBruteForce) {
   }
 }
 
+TEST(BspTree, ATriangleWithoutAreaHidesNoOther) {
+  TriangleMesh mesh{Points(6, 3), Triangles(2, 3)};
+  mesh.vertices << 0, 0, 0, 0, 0, 0, 1, 0, 0, /* the other: */ 5, -1, -1, 5, 1, -1, 5, 0, 1;
+  mesh.triangles << 0, 1, 2, 3, 4, 5;
+  const BspTree tree(mesh);
+  const auto beside = tree.nearest({0.5, 0.1, 0}, 10);
+  ASSERT_TRUE(beside);
+  EXPECT_NEAR(beside->distance, 0.1, 1e-12);
+  const auto far = tree.nearest({4.9, 0, 0}, 10);
+  ASSERT_TRUE(far);
+  EXPECT_EQ(far->triangle, 1);
+  EXPECT_NEAR(far->distance, 0.1, 1e-12);
+  EXPECT_EQ(tree.first_hit({-1, 0, 0}, {1, 0, 0}, 10)->triangle, 1);
+}
+
 TEST(BspTree, AnEmptySurfaceIsNeverHit) {
   const BspTree tree(TriangleMesh{});
   EXPECT_FALSE(tree.first_hit({0, 0, 0}, {0, 0, 1}, 100));

@@ -238,16 +238,24 @@ TEST(ObjDocument, RefusesAMissingMaterialFileOrTextureByName) {
   expect_error(ErrorKind::input, {"my mats.mtl", "face.obj"}, [&] { ObjDocument::read(file); });
 }
 
-TEST(ObjDocument, RefusesToCopyOutOfTheFolder) {
+TEST(ObjDocument, RefusesATextureOutsideItsFolderBeforeAnythingIsPredicted) {
   const TemporaryFolder folder;
-  folder.write("secret.mtl", "newmtl a\n");
-  const fs::path file =
-      folder.write("in/face.obj", "mtllib ../secret.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  fs::create_directory(folder / "out");
-  const ObjDocument document = ObjDocument::read(file);
-  expect_error(ErrorKind::output, {"../secret.mtl"}, [&] {
-    document.write(folder / "out", "face.obj", document.mesh().surface.vertices);
+  folder.write("elsewhere/skin.png", "picture");
+  folder.write("in/a.mtl", "newmtl skin\nmap_Kd ../elsewhere/skin.png\n");
+  const fs::path obj = folder.write(
+      "in/face.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl skin\nf 1 2 3\n");
+  expect_error(ErrorKind::input, {"skin.png", "outside its own folder"},
+               [&] { ObjDocument::read(obj); });
+}
+
+TEST(ObjDocument, NeverOverwritesAFileOfTheFolder) {
+  const TemporaryFolder folder;
+  const ObjDocument document = ObjDocument::read(write_textured(folder));
+  folder.write("out/skin tone.png", "ours");
+  expect_error(ErrorKind::output, {"skin tone.png", "another name"}, [&] {
+    document.write(folder.path() / "out", "predicted.obj", document.mesh().surface.vertices);
   });
+  EXPECT_EQ(bytes_of(folder.path() / "out/skin tone.png"), "ours");
 }
 
 TEST(ObjDocument, TheRealScanReadsMovesAndReadsAgain) {

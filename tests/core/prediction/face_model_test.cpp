@@ -239,7 +239,7 @@ TEST_F(ForceTransfer, RefusesRotations) {
 /// A patch of skin over a block of bone, all of it the region.
 Anatomy patch_scene(const TriangleMesh& skin, double depth) {
   const Eigen::RowVector3d middle = skin.vertices.colwise().mean();
-  Anatomy patch{{}, {}, test::face_of(skin), middle.transpose()};
+  Anatomy patch{{}, {}, test::face_of(skin), middle.transpose(), {}};
   patch.cut.segment =
       test::box(middle.transpose() - Vector3d(0, 0, depth + 5), Vector3d(12, 12, 5), 8);
   patch.cut.remainder = test::sphere(middle.transpose() - Vector3d(0, 0, 200), 5, 2);

@@ -72,7 +72,9 @@ TEST_F(Report, APushedOutFaceBulges) {
 }
 
 TEST_F(Report, TellsSizesHashesAndVersionsButNoPathAndNoName) {
-  const std::string text = report_json(plan_, head_, *model_, prediction_, progress_);
+  Anatomy head = head_;
+  head.ct_sha256 = "ba7816bf";
+  const std::string text = report_json(plan_, head, *model_, prediction_, progress_);
   const json report = json::parse(text);
   for (const char* key :
        {"gnathion_report", "program", "frame", "use", "inputs", "face", "motion", "model", "sizes",
@@ -80,8 +82,7 @@ TEST_F(Report, TellsSizesHashesAndVersionsButNoPathAndNoName) {
         "relative_residual", "basis_against_direct_solve", "seconds", "peak_memory_MiB"}) {
     EXPECT_TRUE(report.contains(key)) << key;
   }
-  EXPECT_EQ(report["inputs"]["ct_sha256"],
-            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(report["inputs"]["ct_sha256"], "ba7816bf");
   EXPECT_EQ(report["motion"]["forward_mm"], 5);
   EXPECT_EQ(report["sizes"]["tets"], model_->problem().tissue.mesh.tets.rows());
   EXPECT_EQ(report["element_quality"]["inverted"], 0);

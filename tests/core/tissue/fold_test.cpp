@@ -2,6 +2,7 @@
 // are smoothed for meshing.
 #include <gtest/gtest.h>
 
+#include "base/error.h"
 #include "support/face_patch.h"
 #include "tissue/hidden.h"
 #include "tissue/st_generator.h"
@@ -87,6 +88,7 @@ TEST(Unfold, MakesAFoldedPatchMeshable) {
     return st_generator(r, offset_directions(r, 4),
                         Eigen::VectorXd::Constant(r.mesh.vertices.rows(), 4));
   };
+  EXPECT_THROW(generate(region), Error) << "the patch is not folded enough";
   const Unfolding result = unfold(region);
   EXPECT_GT(result.moved_count, 0);
   EXPECT_LT(result.moved_count, 120) << "only the fold moves";

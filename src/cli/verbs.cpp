@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iomanip>
 #include <sstream>
 #include <string>
@@ -33,6 +34,23 @@ void print_files(const fs::path& target, std::ostream& out) {
 void publish(NewFolder& folder, const fs::path& target, std::ostream& out) {
   folder.publish();
   print_files(target, out);
+}
+
+/// What a verb that stops before the prediction has at hand.
+struct Step {
+  const SurgicalCase& plan;
+  const Anatomy& anatomy;
+  const fs::path& folder;  ///< where to write
+};
+
+/// Reads the case, builds its anatomy, lets `write` fill a new folder and publishes it.
+void write_step(const fs::path& case_file, const fs::path& target, std::ostream& out,
+                Progress& progress, const std::function<void(const Step&)>& write) {
+  const SurgicalCase plan = read_case_file(case_file);
+  NewFolder folder(target);
+  const Anatomy anatomy = build_anatomy(plan, progress);
+  write({plan, anatomy, folder.path()});
+  publish(folder, target, out);
 }
 
 void draw(const Anatomy& anatomy, const Prediction& prediction, const fs::path& folder,
@@ -94,55 +112,49 @@ void check_verb(const fs::path& case_file, std::ostream& out) {
 
 void surfaces_verb(const fs::path& case_file, const fs::path& target, std::ostream& out,
                    Progress& progress) {
-  const SurgicalCase plan = read_case_file(case_file);
-  NewFolder folder(target);
-  const Anatomy anatomy = build_anatomy(plan, progress);
-  write_ply(anatomy.bone, folder.path() / "bone.ply");
-  anatomy.face.document.write(folder.path(), "face.obj",
-                              anatomy.face.document.mesh().surface.vertices);
-  publish(folder, target, out);
+  write_step(case_file, target, out, progress, [](const Step& step) {
+    write_ply(step.anatomy.bone, step.folder / "bone.ply");
+    const ObjDocument& face = step.anatomy.face.document;
+    face.write(step.folder, "face.obj", face.mesh().surface.vertices);
+  });
 }
 
 void segment_verb(const fs::path& case_file, const fs::path& target, std::ostream& out,
                   Progress& progress) {
-  const SurgicalCase plan = read_case_file(case_file);
-  NewFolder folder(target);
-  const Anatomy anatomy = build_anatomy(plan, progress);
-  write_ply(anatomy.cut.segment, folder.path() / "segment.ply");
-  write_ply(anatomy.cut.remainder, folder.path() / "remainder.ply");
-  out << "segment: " << anatomy.cut.volume_mm3 / 1000 << " ml\n";
-  publish(folder, target, out);
+  write_step(case_file, target, out, progress, [&out](const Step& step) {
+    write_ply(step.anatomy.cut.segment, step.folder / "segment.ply");
+    write_ply(step.anatomy.cut.remainder, step.folder / "remainder.ply");
+    out << "segment: " << step.anatomy.cut.volume_mm3 / 1000 << " ml\n";
+  });
 }
 
 void region_verb(const fs::path& case_file, const fs::path& target, std::ostream& out,
                  Progress& progress) {
-  const SurgicalCase plan = read_case_file(case_file);
-  NewFolder folder(target);
-  const Anatomy anatomy = build_anatomy(plan, progress);
-  const TissueProblem problem = build_tissue(anatomy, plan.region, plan.tissue, progress);
-  write_ply(problem.region.mesh, folder.path() / "region.ply");
-  std::ostringstream vertices;
-  for (const int v : problem.region.face_vertex) vertices << v << '\n';
-  write_text_file(folder.path() / "region.txt", vertices.str());
-  publish(folder, target, out);
+  write_step(case_file, target, out, progress, [&progress](const Step& step) {
+    const TissueProblem problem =
+        build_tissue(step.anatomy, step.plan.region, step.plan.tissue, progress);
+    write_ply(problem.region.mesh, step.folder / "region.ply");
+    std::ostringstream vertices;
+    for (const int v : problem.region.face_vertex) vertices << v << '\n';
+    write_text_file(step.folder / "region.txt", vertices.str());
+  });
 }
 
 void mesh_verb(const fs::path& case_file, const fs::path& target, std::ostream& out,
                Progress& progress) {
-  const SurgicalCase plan = read_case_file(case_file);
-  NewFolder folder(target);
-  const Anatomy anatomy = build_anatomy(plan, progress);
-  const TissueProblem problem = build_tissue(anatomy, plan.region, plan.tissue, progress);
-  const TetMesh& mesh = problem.tissue.mesh;
-  write_vtu(mesh, {}, folder.path() / "tissue.vtu");
-  if (plan.tissue.load == LoadModel::displacement) {
-    const Points prescribed =
-        moved(mesh.vertices, rigid_motion(plan.motion, anatomy.pivot)) - mesh.vertices;
-    write_calculix_deck(mesh, plan.tissue.material, problem.supports, prescribed,
-                        folder.path() / "tissue.inp");
-  }
-  out << mesh.tets.rows() << " tetrahedra\n";
-  publish(folder, target, out);
+  write_step(case_file, target, out, progress, [&](const Step& step) {
+    const TissueModel& model = step.plan.tissue;
+    const TissueProblem problem = build_tissue(step.anatomy, step.plan.region, model, progress);
+    const TetMesh& mesh = problem.tissue.mesh;
+    write_vtu(mesh, {}, step.folder / "tissue.vtu");
+    if (model.load == LoadModel::displacement) {
+      const Points prescribed =
+          moved(mesh.vertices, rigid_motion(step.plan.motion, step.anatomy.pivot)) - mesh.vertices;
+      write_calculix_deck(mesh, model.material, problem.supports, prescribed,
+                          step.folder / "tissue.inp");
+    }
+    out << mesh.tets.rows() << " tetrahedra\n";
+  });
 }
 
 void predict_verb(const fs::path& case_file, const fs::path& target, bool pictures,

@@ -23,4 +23,16 @@ struct TetQuality {
 
 TetQuality tet_quality(const TetMesh& mesh);
 
+/// m×6 dihedral angles in degrees, of the edges 01, 02, 03, 12, 13, 23 of each tet (between the two
+/// faces that meet there, inside the tet).
+Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor> dihedral_angles(const TetMesh& mesh);
+
+/// m×12 angles of the triangles of each tet in degrees: three of the face opposite to corner 0,
+/// then of those opposite to 1, 2 and 3, each at its corners in ascending order.
+Eigen::Matrix<double, Eigen::Dynamic, 12, Eigen::RowMajor> face_angles(const TetMesh& mesh);
+
+/// m aspect ratios: longest edge over shortest height, scaled to 1 for a regular tet; infinite
+/// without volume.
+Eigen::VectorXd aspect_ratios(const TetMesh& mesh);
+
 }  // namespace gnathion

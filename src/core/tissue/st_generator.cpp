@@ -12,40 +12,16 @@
 namespace gnathion {
 namespace {
 
-/// The elements of Algorithm 1, in its order. A tet is (a, b, c, d) with positive volume when the
-/// inner points lie behind the surface.
-Tets st_elements(const IntermediateMesh& region, const SoftTissueMesh& nodes) {
-  const Triangles& F = region.mesh.triangles;
-  // The edges that Algorithm 1 treats with triangle i: those to a neighbour of higher index.
-  std::vector<std::vector<const Edge*>> edges_of_triangle(static_cast<std::size_t>(F.rows()));
-  std::size_t interior = 0;
-  for (const Edge& edge : region.edges) {
-    if (edge.right == -1) continue;
-    edges_of_triangle[std::min(edge.left, edge.right)].push_back(&edge);
-    ++interior;
-  }
-  Tets tets(F.rows() + 3 * static_cast<Eigen::Index>(interior), 4);
-  Eigen::Index l = 0;
-  for (int i = 0; i < F.rows(); ++i) {
-    tets.row(l++) << F(i, 0), F(i, 2), F(i, 1), nodes.centre(i);
-    for (const Edge* edge : edges_of_triangle[i]) {
-      const int b = edge->a, c = edge->b;
-      const int cf = nodes.centre(edge->left), cg = nodes.centre(edge->right);
-      tets.row(l++) << cf, cg, c, b;
-      tets.row(l++) << cf, cg, b, nodes.inner(b);
-      tets.row(l++) << cf, cg, nodes.inner(c), c;
-    }
-  }
-  return tets;
-}
-
+/// A mesh of one layer whose inner and centre points are still to be placed.
 SoftTissueMesh empty_mesh(const IntermediateMesh& region) {
   SoftTissueMesh tissue;
   tissue.surface_count = static_cast<int>(region.mesh.vertices.rows());
   tissue.triangle_count = static_cast<int>(region.mesh.triangles.rows());
   tissue.mesh.vertices.resize(2 * tissue.surface_count + tissue.triangle_count, 3);
   tissue.mesh.vertices.topRows(tissue.surface_count) = region.mesh.vertices;
-  tissue.mesh.tets = st_elements(region, tissue);
+  tissue.mesh.vertices.bottomRows(tissue.surface_count + tissue.triangle_count).setZero();
+  set_layers(region, std::vector<int>(static_cast<std::size_t>(tissue.surface_count), 1), 1,
+             tissue);
   return tissue;
 }
 
@@ -99,22 +75,6 @@ std::vector<int> shaping_vertices(const IntermediateMesh& region, const SoftTiss
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   return vertices;
-}
-
-/// Mean area around each vertex's triangles, mm²: what a tet's volume is measured by.
-Eigen::VectorXd triangle_area_at_vertices(const TriangleMesh& mesh) {
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(mesh.vertices.rows());
-  Eigen::VectorXd count = Eigen::VectorXd::Zero(mesh.vertices.rows());
-  for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
-    const Eigen::Vector3d a = mesh.vertices.row(mesh.triangles(f, 0));
-    const Eigen::Vector3d b = mesh.vertices.row(mesh.triangles(f, 1));
-    const Eigen::Vector3d c = mesh.vertices.row(mesh.triangles(f, 2));
-    for (int corner = 0; corner < 3; ++corner) {
-      sum[mesh.triangles(f, corner)] += (b - a).cross(c - a).norm() / 2;
-      ++count[mesh.triangles(f, corner)];
-    }
-  }
-  return sum.cwiseQuotient(count);
 }
 
 }  // namespace
@@ -295,13 +255,15 @@ SoftTissueMesh st_generator(const IntermediateMesh& region, const Points& direct
     place_centre_points(region, weights, tissue);
     std::vector<Fault> faults = find_faults(region, area, tissue, options.smallest_volume_ratio);
     const auto worst = std::max_element(faults.begin(), faults.end());
-    if (*worst == Fault::none) return tissue;
+    if (*worst == Fault::none) break;
     if (round == options.repair_rounds) {
       refuse_fold(region.mesh.vertices.row(worst - faults.begin()));
     }
     for (int ring = 0; ring < round / kWidenAfter; ++ring) faults = widened(faults, neighbours);
     repair(region, neighbours, faults, most, options.shrink, tissue);
   }
+  add_layers(region, options.layers, options.smallest_volume_ratio, tissue);
+  return tissue;
 }
 
 }  // namespace gnathion

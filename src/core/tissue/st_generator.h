@@ -4,21 +4,10 @@
 
 #include "geometry/triangle_mesh.h"
 #include "tissue/intermediate_mesh.h"
+#include "tissue/layers.h"
+#include "tissue/soft_tissue_mesh.h"
 
 namespace gnathion {
-
-/// A tetrahedral mesh by the ST Generator. Of M surface vertices and N triangles, nodes 0…M−1 are
-/// the surface vertices P_i = J_i, M…2M−1 the inner vertices b', 2M…2M+N−1 the centre points c.
-/// |tets| = N + 3 E_i, E_i the interior edges.
-struct SoftTissueMesh {
-  TetMesh mesh;
-  int surface_count = 0;   ///< M
-  int triangle_count = 0;  ///< N
-  Eigen::VectorXd depth;   ///< M: distance from J_i to its inner vertex, mm
-
-  int inner(int vertex) const { return surface_count + vertex; }
-  int centre(int triangle) const { return 2 * surface_count + triangle; }
-};
 
 /// Algorithm 1 of the paper (4.1.3) with its points and order:
 ///   P_{i+M} = J_i − d n(J_i),  P_{i+2M} = centre(F_i) − d_c n(F_i).
@@ -34,6 +23,7 @@ struct RobustGeneratorOptions {
   double shrink = 0.85;     ///< factor on the depth, one round, where elements are inverted
   int repair_rounds = 60;
   double smallest_volume_ratio = 0.02;  ///< of a tet, against the volume it has on a flat patch
+  LayerOptions layers = kOneLayer;
 };
 
 /// Unit directions into the tissue at each vertex: −n(J_i), smoothed over the surface along about

@@ -37,6 +37,25 @@ TEST(TetQuality, OfTheCornerOfACube) {
   EXPECT_NEAR(q.largest_aspect, std::sqrt(2.0 / 3) * std::sqrt(2.0) * std::sqrt(3.0), 1e-12);
 }
 
+TEST(TetQuality, AnglesAndAspectsOfEachTet) {
+  TetMesh mesh{Points(4, 3), Tets(2, 4)};
+  mesh.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;
+  mesh.tets << 0, 1, 2, 3, 1, 0, 2, 3;  // the corner of a cube, and it with two corners swapped
+  const double slanted = std::acos(1 / std::sqrt(3.0)) * 180 / std::numbers::pi;
+  Eigen::Matrix<double, 2, 6> dihedral;
+  dihedral << 90, 90, 90, slanted, slanted, slanted,  // edges 01, 02, 03 at the corner
+      90, slanted, slanted, 90, 90, slanted;
+  EXPECT_LT((dihedral_angles(mesh) - dihedral).norm(), 1e-9);
+  const auto angles = face_angles(mesh);
+  Eigen::Matrix<double, 1, 12> faces;
+  faces << 60, 60, 60, 90, 45, 45, 90, 45, 45, 90, 45, 45;
+  EXPECT_LT((angles.row(0) - faces).norm(), 1e-9);
+  const Eigen::VectorXd sums = angles.rowwise().sum();
+  EXPECT_NEAR(sums[1], 4 * 180, 1e-9);
+  EXPECT_NEAR(aspect_ratios(mesh)[0], tet_quality(mesh).largest_aspect, 1e-12);
+  EXPECT_NEAR(aspect_ratios(mesh)[1], aspect_ratios(mesh)[0], 1e-12);
+}
+
 TEST(SignedDistances, ArePositiveOutsideAndNotMeasuredOutOfReach) {
   TriangleMesh sheet{Points(4, 3), Triangles(2, 3)};
   sheet.vertices << 0, 0, 0, 10, 0, 0, 10, 10, 0, 0, 10, 0;

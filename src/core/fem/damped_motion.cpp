@@ -23,22 +23,16 @@ void validate(const DynamicsOptions& options) {
   require(options.gamma >= 0.5, "gamma", options.gamma, "give at least 0.5: less is unstable");
 }
 
-DampedMotion::DampedMotion(const StaticSolver& statics, const TetMesh& mesh,
-                           const DynamicsOptions& options)
+DampedMotion::DampedMotion(const StaticSolver& statics, const DynamicsOptions& options)
     : statics_(statics), options_(options) {
   validate(options);
   newmark_beta_ = (options.gamma + 0.5) * (options.gamma + 0.5) / 4;
-  const Eigen::Index n = mesh.vertices.rows();
-  Eigen::VectorXd node_mass = Eigen::VectorXd::Zero(n);
-  for (const auto& nodes : mesh.tets.rowwise()) {
-    const LinearTet tet = linear_tet(mesh.vertices.row(nodes[0]), mesh.vertices.row(nodes[1]),
-                                     mesh.vertices.row(nodes[2]), mesh.vertices.row(nodes[3]));
-    for (const int node : nodes) node_mass[node] += options.density * tet.volume / 4;
-  }
-  const std::vector<int>& free_nodes = statics.free_nodes();
-  mass_.resize(3 * static_cast<Eigen::Index>(free_nodes.size()));
-  for (std::size_t i = 0; i < free_nodes.size(); ++i) {
-    mass_.segment<3>(3 * static_cast<Eigen::Index>(i)).setConstant(node_mass[free_nodes[i]]);
+  const Eigen::VectorXd node_mass = lumped_mass(statics.elements(), options.density);
+  const FreePart& free = statics.free_part();
+  mass_.resize(free.size());
+  for (std::size_t i = 0; i < free.nodes().size(); ++i) {
+    const int first = free.first()[i];
+    mass_.segment(first, free.first()[i + 1] - first).setConstant(node_mass[free.nodes()[i]]);
   }
   // Both schemes solve m M + k K, scaled so that K keeps its size for long steps and M for short.
   const double h = options.step;
@@ -46,39 +40,38 @@ DampedMotion::DampedMotion(const StaticSolver& statics, const TetMesh& mesh,
   const double m = euler ? 1 + h * options.alpha : 1 + options.gamma * h * options.alpha;
   const double k =
       euler ? h * options.beta + h * h : options.gamma * h * options.beta + newmark_beta_ * h * h;
-  std::vector<int> order;
-  Eigen::SparseMatrix<double> A = statics.free_part(order);
+  Eigen::SparseMatrix<double> A = free_stiffness(statics.stiffness(), free);
   A *= k;
   A.diagonal() += m * mass_;
-  factor_ = std::make_unique<SpdFactor>(A, order);
-  u_ = v_ = Points::Zero(n, 3);
+  factor_ = std::make_unique<SpdFactor>(A, statics.order());
+  u_ = v_ = Points::Zero(node_mass.size(), 3);
   start_acceleration();
 }
 
 void DampedMotion::set_prescribed(const Points& prescribed) {
-  for (std::size_t i = 0; i < statics_.supports().size(); ++i) {
-    if (statics_.supports()[i] != Support::attached) continue;
-    const auto row = static_cast<Eigen::Index>(i);
-    if (!prescribed.row(row).allFinite()) {
-      throw Error(ErrorKind::numeric, "dynamics", "a prescribed displacement is not finite",
-                  "report this case: it is a fault of the program");
-    }
-    u_.row(row) = prescribed.row(row);
+  const Points given = prescribed_part(statics_.supports(), prescribed);
+  if (!given.allFinite()) {
+    throw Error(ErrorKind::numeric, "dynamics", "a prescribed displacement is not finite",
+                "report this case: it is a fault of the program");
   }
+  const Eigen::VectorXd free = statics_.free_part().gather(u_);
+  u_ = given;
+  statics_.free_part().add(free, 1, u_);
   start_acceleration();
 }
 
 void DampedMotion::set_state(const Points& displacements, const Points& velocities) {
-  for (const int node : statics_.free_nodes()) {
-    u_.row(node) = displacements.row(node);
-    v_.row(node) = velocities.row(node);
-  }
+  const FreePart& free = statics_.free_part();
+  u_ = prescribed_part(statics_.supports(), u_);
+  free.add(free.gather(displacements), 1, u_);
+  v_.setZero();
+  free.add(free.gather(velocities), 1, v_);
   start_acceleration();
 }
 
 /// M a = −C v − K u at the present state.
 void DampedMotion::start_acceleration() {
-  const Eigen::VectorXd v = gathered(v_);
+  const Eigen::VectorXd v = statics_.free_part().gather(v_);
   const Eigen::VectorXd damping =
       options_.alpha * mass_.cwiseProduct(v) + options_.beta * free_stiffness_times(v);
   a_ = (elastic_force() - damping).cwiseQuotient(mass_);
@@ -96,57 +89,42 @@ void DampedMotion::step() {
 /// (M + hC + h²K) v₁ = M v₀ − h K u₀, u₁ = u₀ + h v₁.
 void DampedMotion::step_euler() {
   const double h = options_.step;
-  const Eigen::VectorXd right = mass_.cwiseProduct(gathered(v_)) + h * elastic_force();
+  const Eigen::VectorXd right =
+      mass_.cwiseProduct(statics_.free_part().gather(v_)) + h * elastic_force();
   const Eigen::VectorXd v = factor_->solve(right);
-  for (const int node : statics_.free_nodes()) v_.row(node).setZero();
-  add_to_free(v_, v, 1);
-  add_to_free(u_, v, h);
+  v_.setZero();
+  statics_.free_part().add(v, 1, v_);
+  statics_.free_part().add(v, h, u_);
 }
 
 /// Newmark 1959: predict, solve (M + γhC + β_N h²K) a₁ = −C v* − K u*, correct.
 void DampedMotion::step_newmark() {
   const double h = options_.step, gamma = options_.gamma;
-  add_to_free(u_, gathered(v_), h);
-  add_to_free(u_, a_, h * h * (0.5 - newmark_beta_));
-  add_to_free(v_, a_, h * (1 - gamma));
-  const Eigen::VectorXd v = gathered(v_);
+  statics_.free_part().add(statics_.free_part().gather(v_), h, u_);
+  statics_.free_part().add(a_, h * h * (0.5 - newmark_beta_), u_);
+  statics_.free_part().add(a_, h * (1 - gamma), v_);
+  const Eigen::VectorXd v = statics_.free_part().gather(v_);
   const Eigen::VectorXd damping =
       options_.alpha * mass_.cwiseProduct(v) + options_.beta * free_stiffness_times(v);
   a_ = factor_->solve(elastic_force() - damping);
-  add_to_free(u_, a_, newmark_beta_ * h * h);
-  add_to_free(v_, a_, gamma * h);
+  statics_.free_part().add(a_, newmark_beta_ * h * h, u_);
+  statics_.free_part().add(a_, gamma * h, v_);
 }
 
 double DampedMotion::energy() const {
-  const Eigen::VectorXd v = gathered(v_);
+  const Eigen::VectorXd v = statics_.free_part().gather(v_);
   const Points force = statics_.stiffness() * u_;
   return (v.dot(mass_.cwiseProduct(v)) + (u_.array() * force.array()).sum()) / 2;
 }
 
 Eigen::VectorXd DampedMotion::elastic_force() const {
-  return -gathered(statics_.stiffness() * u_);
+  return -statics_.free_part().gather(Points(statics_.stiffness() * u_));
 }
 
 Eigen::VectorXd DampedMotion::free_stiffness_times(const Eigen::VectorXd& x) const {
   Points field = Points::Zero(u_.rows(), 3);
-  add_to_free(field, x, 1);
-  return gathered(statics_.stiffness() * field);
-}
-
-Eigen::VectorXd DampedMotion::gathered(const Points& field) const {
-  const std::vector<int>& free_nodes = statics_.free_nodes();
-  Eigen::VectorXd x(3 * static_cast<Eigen::Index>(free_nodes.size()));
-  for (std::size_t i = 0; i < free_nodes.size(); ++i) {
-    x.segment<3>(3 * static_cast<Eigen::Index>(i)) = field.row(free_nodes[i]);
-  }
-  return x;
-}
-
-void DampedMotion::add_to_free(Points& field, const Eigen::VectorXd& x, double factor) const {
-  const std::vector<int>& free_nodes = statics_.free_nodes();
-  for (std::size_t i = 0; i < free_nodes.size(); ++i) {
-    field.row(free_nodes[i]) += factor * x.segment<3>(3 * static_cast<Eigen::Index>(i)).transpose();
-  }
+  statics_.free_part().add(x, 1, field);
+  return statics_.free_part().gather(Points(statics_.stiffness() * field));
 }
 
 }  // namespace gnathion

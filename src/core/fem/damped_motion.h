@@ -30,15 +30,15 @@ void validate(const DynamicsOptions& options);
 /// for.
 class DampedMotion {
  public:
-  /// `statics`: of `mesh`; must outlive this. Throws Error(case_file) for options out of range,
-  /// Error(numeric) as SpdFactor.
-  DampedMotion(const StaticSolver& statics, const TetMesh& mesh, const DynamicsOptions& options);
+  /// `statics` must outlive this. Throws Error(case_file) for options out of range, Error(numeric)
+  /// as SpdFactor.
+  DampedMotion(const StaticSolver& statics, const DynamicsOptions& options);
 
-  /// Moves the attached nodes at once to these displacements; read at attached nodes only.
-  /// prescribed: n×3, mm. Throws Error(numeric) when one is not finite.
+  /// Moves the nodes that bone moves at once to these displacements, as StaticSolver::solve reads
+  /// them. prescribed: n×3, mm. Throws Error(numeric) when one is not finite.
   void set_prescribed(const Points& prescribed);
 
-  /// Starts the free nodes from a given state; the other rows are not read. n×3, mm and mm/s.
+  /// Starts the free part of the motion from a given state. n×3, mm and mm/s.
   void set_state(const Points& displacements, const Points& velocities);
 
   void step();
@@ -50,13 +50,11 @@ class DampedMotion {
   double energy() const;
 
  private:
-  Eigen::VectorXd elastic_force() const;                ///< −(K u) of the free nodes
-  Eigen::VectorXd gathered(const Points& field) const;  ///< of the free nodes
+  Eigen::VectorXd elastic_force() const;  ///< −Qᵀ K u
   Eigen::VectorXd free_stiffness_times(const Eigen::VectorXd& x) const;
   void start_acceleration();
   void step_euler();
   void step_newmark();
-  void add_to_free(Points& field, const Eigen::VectorXd& x, double factor) const;
 
   const StaticSolver& statics_;
   DynamicsOptions options_;

@@ -14,31 +14,44 @@ constexpr std::array<std::array<int, 2>, 6> kSymmetric{
 
 }  // namespace
 
-ResponseBasis::ResponseBasis(Eigen::Matrix<double, Eigen::Dynamic, 12> columns,
-                             const Eigen::Vector3d& centre)
-    : columns_(std::move(columns)), centre_(centre) {}
+ResponseBasis::ResponseBasis(Eigen::MatrixXd columns, std::vector<Eigen::Vector3d> centres)
+    : columns_(std::move(columns)), centres_(std::move(centres)) {}
 
-void ResponseBasis::displacements(const RigidMotion& motion, Points& out) const {
-  Eigen::Matrix<double, 12, 1> pose;
-  const Eigen::Matrix3d turn = motion.rotation - Eigen::Matrix3d::Identity();
-  for (int row = 0; row < 3; ++row) pose.segment<3>(3 * row) = turn.row(row);
-  pose.tail<3>() = turn * centre_ + motion.translation;
+void ResponseBasis::displacements(std::span<const RigidMotion> motions, Points& out) const {
+  Eigen::VectorXd pose(columns_.cols());
+  for (std::size_t s = 0; s < centres_.size(); ++s) {
+    const Eigen::Matrix3d turn = motions[s].rotation - Eigen::Matrix3d::Identity();
+    const auto first = static_cast<Eigen::Index>(12 * s);
+    for (int row = 0; row < 3; ++row) pose.segment<3>(first + 3 * row) = turn.row(row);
+    pose.segment<3>(first + 9) = turn * centres_[s] + motions[s].translation;
+  }
   out.resize(point_count(), 3);
   Eigen::Map<Eigen::VectorXd>(out.data(), columns_.rows()).noalias() = columns_ * pose;
 }
 
-ResponseBasis response_basis(const StaticSolver& solver, const Points& nodes,
-                             const Eigen::Vector3d& centre) {
+Eigen::MatrixXd basis_loads(const Points& nodes, const Supports& supports,
+                            const std::vector<Eigen::Vector3d>& centres) {
   const Eigen::Index n = nodes.rows();
-  Eigen::MatrixXd prescribed = Eigen::MatrixXd::Zero(3 * n, 12);
+  Eigen::MatrixXd loads =
+      Eigen::MatrixXd::Zero(3 * n, static_cast<Eigen::Index>(12 * centres.size()));
   for (Eigen::Index i = 0; i < n; ++i) {
-    if (solver.supports()[i] != Support::attached) continue;
+    const Support& support = supports[i];
+    const bool tied = support == Support::attached || support == Support::sliding;
+    if (!tied || support.body == Support::kUnmoved) continue;
+    const Eigen::Index first = 12 * support.body;
     for (int axis = 0; axis < 3; ++axis) {
-      prescribed.block<1, 3>(3 * i + axis, 3 * axis) = nodes.row(i) - centre.transpose();
-      prescribed(3 * i + axis, 9 + axis) = 1;
+      loads.block<1, 3>(3 * i + axis, first + 3 * axis) =
+          nodes.row(i) - centres[support.body].transpose();
+      loads(3 * i + axis, first + 9 + axis) = 1;
     }
   }
-  return {solver.solve_columns(prescribed, Eigen::MatrixXd::Zero(3 * n, 12)), centre};
+  return loads;
+}
+
+ResponseBasis response_basis(const StaticSolver& solver,
+                             const std::vector<Eigen::Vector3d>& centres) {
+  const Eigen::MatrixXd loads = basis_loads(solver.elements().nodes, solver.supports(), centres);
+  return {solver.solve_columns(loads, Eigen::MatrixXd::Zero(loads.rows(), loads.cols())), centres};
 }
 
 ForceBasis::ForceBasis(Eigen::Matrix<double, Eigen::Dynamic, 6> columns, std::vector<int> forced)
@@ -68,7 +81,7 @@ ForceBasis::Result ForceBasis::displacements(const Eigen::Vector3d& translation)
 
 ForceBasis force_basis(const StaticSolver& solver, const std::vector<int>& forced,
                        const Points& normals) {
-  const auto n = static_cast<Eigen::Index>(solver.supports().size());
+  const Eigen::Index n = solver.elements().nodes.rows();
   Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(3 * n, 6);
   for (std::size_t f = 0; f < forced.size(); ++f) {
     const Eigen::Vector3d normal = normals.row(static_cast<Eigen::Index>(f));

@@ -1,36 +1,45 @@
 #pragma once
 
+#include <span>
+
 #include "fem/static_solver.h"
 #include "geometry/rigid_motion.h"
 
 namespace gnathion {
 
-/// Displacements as a linear function of a segment's pose: with displacement transfer, attached
-/// nodes move by u = (R−I)(x−c) + (m(c)−c), linear in the nine entries of R−I and the three of the
-/// translation of the centre c, and so is the whole solution. It equals the direct solve to
-/// rounding, at the cost of one small matrix-vector product (method.md, 6).
+/// Displacements as a linear function of the poses of one or several segments: with displacement
+/// transfer, the bone moves a node tied to it by u = (R−I)(x−c) + (m(c)−c), linear in the nine
+/// entries of R−I and the three of the translation of the centre c of its segment, and so is the
+/// whole solution, sliding included. It equals the direct solve to rounding, at the cost of one
+/// small matrix-vector product (method.md, 6).
 class ResponseBasis {
  public:
   ResponseBasis() = default;
-  /// `columns`: 3k×12 for k points (row 3i+axis; columns: R−I row by row, then the translation).
-  ResponseBasis(Eigen::Matrix<double, Eigen::Dynamic, 12> columns, const Eigen::Vector3d& centre);
+  /// `columns`: 3k×12s for k points and s segments (row 3i+axis; twelve columns a segment: R−I row
+  /// by row, then the translation). centres: c of each segment.
+  ResponseBasis(Eigen::MatrixXd columns, std::vector<Eigen::Vector3d> centres);
 
-  /// k×3, mm. Writes into `out`, which is resized when it has another size.
-  void displacements(const RigidMotion& motion, Points& out) const;
+  /// k×3, mm, for one motion a segment. Writes into `out`, which is resized when it has another
+  /// size.
+  void displacements(std::span<const RigidMotion> motions, Points& out) const;
 
-  const Eigen::Matrix<double, Eigen::Dynamic, 12>& columns() const { return columns_; }
-  const Eigen::Vector3d& centre() const { return centre_; }
+  const Eigen::MatrixXd& columns() const { return columns_; }
+  const std::vector<Eigen::Vector3d>& centres() const { return centres_; }
   Eigen::Index point_count() const { return columns_.rows() / 3; }
 
  private:
-  Eigen::Matrix<double, Eigen::Dynamic, 12> columns_;
-  Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
+  Eigen::MatrixXd columns_;
+  std::vector<Eigen::Vector3d> centres_;
 };
 
-/// The basis of all nodes of the solver's mesh: twelve back-solves. `nodes`: the rest positions,
-/// n×3; `centre`: c, mm, LPS, best within the segment (small numbers cancel least).
-ResponseBasis response_basis(const StaticSolver& solver, const Points& nodes,
-                             const Eigen::Vector3d& centre);
+/// The basis of all nodes of the solver's mesh: twelve back-solves a segment. `centres`: c of each
+/// segment, mm, LPS, best within it (small numbers cancel least).
+ResponseBasis response_basis(const StaticSolver& solver,
+                             const std::vector<Eigen::Vector3d>& centres);
+
+/// What the columns of a basis prescribe: 3n×12s fields at the nodes that bone moves.
+Eigen::MatrixXd basis_loads(const Points& nodes, const Supports& supports,
+                            const std::vector<Eigen::Vector3d>& centres);
 
 /// Displacements under force transfer (paper, eq. 4): the force at a forced point with normal n is
 /// F_i = F cos θ_i = |F| F̂ F̂ᵀ n, linear in the six entries of the symmetric |F| F̂F̂ᵀ. |F| is what

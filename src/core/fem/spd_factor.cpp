@@ -23,6 +23,11 @@ namespace {
               "check that the region has a fixed rim and that no tetrahedron is inverted");
 }
 
+void require_finite(const Eigen::SparseMatrix<double>& lower) {
+  const Eigen::Map<const Eigen::VectorXd> values(lower.valuePtr(), lower.nonZeros());
+  if (!values.allFinite()) refuse_matrix();
+}
+
 #ifdef GNATHION_HAS_CHOLMOD
 /// CHOLMOD's workspace and factor, freed together.
 class CholmodFactor {
@@ -45,6 +50,12 @@ class CholmodFactor {
       free();
       refuse_matrix();
     }
+  }
+  void refactor(const Eigen::SparseMatrix<double>& lower) {
+    cholmod_sparse A = view(lower);
+    common_.status = CHOLMOD_OK;
+    cholmod_factorize(&A, factor_, &common_);
+    if (common_.status != CHOLMOD_OK) refuse_matrix();
   }
   ~CholmodFactor() { free(); }
   CholmodFactor(const CholmodFactor&) = delete;
@@ -98,6 +109,9 @@ class EigenFactor {
     Eigen::VectorXi place(lower.rows());  // place[i]: when i is eliminated
     for (int k = 0; k < lower.rows(); ++k) place[order[k]] = k;
     permutation_ = Eigen::PermutationMatrix<Eigen::Dynamic>(place);
+    refactor(lower);
+  }
+  void refactor(const Eigen::SparseMatrix<double>& lower) {
     Eigen::SparseMatrix<double> reordered(lower.rows(), lower.cols());
     reordered.selfadjointView<Eigen::Lower>() =
         lower.selfadjointView<Eigen::Lower>().twistedBy(permutation_);
@@ -134,8 +148,7 @@ SpdBackend default_spd_backend() {
 SpdFactor::SpdFactor(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& order,
                      SpdBackend backend)
     : implementation_(std::make_unique<Implementation>()) {
-  const Eigen::Map<const Eigen::VectorXd> values(lower.valuePtr(), lower.nonZeros());
-  if (!values.allFinite()) refuse_matrix();
+  require_finite(lower);
 #ifdef GNATHION_HAS_CHOLMOD
   if (backend == SpdBackend::cholmod) {
     implementation_->cholmod = std::make_unique<CholmodFactor>(lower, order);
@@ -153,6 +166,17 @@ SpdFactor::SpdFactor(const Eigen::SparseMatrix<double>& lower, const std::vector
 SpdFactor::~SpdFactor() = default;
 SpdFactor::SpdFactor(SpdFactor&&) noexcept = default;
 SpdFactor& SpdFactor::operator=(SpdFactor&&) noexcept = default;
+
+void SpdFactor::refactor(const Eigen::SparseMatrix<double>& lower) {
+  require_finite(lower);
+#ifdef GNATHION_HAS_CHOLMOD
+  if (implementation_->cholmod) {
+    implementation_->cholmod->refactor(lower);
+    return;
+  }
+#endif
+  implementation_->eigen->refactor(lower);
+}
 
 Eigen::MatrixXd SpdFactor::solve(const Eigen::MatrixXd& B) const {
   if (B.size() == 0) return B;

@@ -28,6 +28,10 @@ class SpdFactor {
   SpdFactor(SpdFactor&&) noexcept;
   SpdFactor& operator=(SpdFactor&&) noexcept;
 
+  /// Factorises another matrix with the same pattern: saves the analysis. Throws as the
+  /// constructor; the factor must not be asked after that.
+  void refactor(const Eigen::SparseMatrix<double>& lower);
+
   /// X with A X = B. B: n×k.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& B) const;
 

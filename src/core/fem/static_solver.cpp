@@ -1,126 +1,78 @@
 #include "fem/static_solver.h"
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <string>
 #include <utility>
 
 #include "base/error.h"
 
 namespace gnathion {
+namespace {
 
-StaticSolver::StaticSolver(const TetMesh& mesh, const ElasticMaterial& material, Supports supports,
+/// −Qᵀ K u for each column, plus Qᵀ f.
+Eigen::MatrixXd out_of_balance(const StiffnessMatrix& K, const FreePart& free,
+                               const Eigen::MatrixXd& forces, const Eigen::MatrixXd& u) {
+  Eigen::MatrixXd r = forces;
+  for (const int node : free.nodes()) {
+    for (int p = K.start[node]; p < K.start[node + 1]; ++p) {
+      r.middleRows<3>(3 * node).noalias() -= K.blocks[p] * u.middleRows<3>(3 * K.column[p]);
+    }
+  }
+  return free.gather(r);
+}
+
+void require_solved(const Eigen::MatrixXd& residual, const Eigen::MatrixXd& right_side) {
+  for (Eigen::Index column = 0; column < residual.cols(); ++column) {
+    const double scale = right_side.col(column).norm();
+    const double size = residual.col(column).norm();
+    if (!std::isfinite(size)) {
+      throw Error(ErrorKind::numeric, "solver", "the displacement is not finite",
+                  "report this case: it is a fault of the program");
+    }
+    if (scale > 0 && size > StaticSolver::kResidualLimit * scale) {
+      std::ostringstream text;
+      text << size / scale;
+      throw Error(ErrorKind::numeric, "solver",
+                  "the relative residual is " + text.str() + ", above the limit of 1e-8",
+                  "use a better shaped region or a smaller Poisson's ratio");
+    }
+  }
+}
+
+}  // namespace
+
+StaticSolver::StaticSolver(ElementMesh elements, TissueMaterials materials, Supports supports,
                            Progress& progress, SpdBackend backend)
-    : supports_(std::move(supports)) {
+    : elements_(std::move(elements)),
+      materials_(std::move(materials)),
+      supports_(std::move(supports)),
+      free_(supports_) {
   {
     const auto stage = progress.stage("assemble stiffness");
-    K_ = stiffness_matrix(mesh, material);
+    K_ = stiffness_matrix(elements_, materials_);
   }
-  free_index_.assign(supports_.size(), -1);
-  for (int i = 0; i < static_cast<int>(supports_.size()); ++i) {
-    if (supports_[i] != Support::free) continue;
-    free_index_[i] = static_cast<int>(free_nodes_.size());
-    free_nodes_.push_back(i);
-  }
-  if (free_nodes_.size() == supports_.size()) {
+  if (free_.size() == elements_.nodes.size()) {
     throw Error(ErrorKind::numeric, "region", "no point of the tissue is fixed or attached",
                 "choose a region with a rim, so that the face does not float");
   }
   const auto stage = progress.stage("factorise");
-  std::vector<int> order;
-  const Eigen::SparseMatrix<double> lower = free_part(order);
-  factor_ = std::make_unique<SpdFactor>(lower, order, backend);
-}
-
-Eigen::SparseMatrix<double> StaticSolver::free_part(std::vector<int>& order) const {
-  const auto n = static_cast<int>(free_nodes_.size());
-  std::vector<int> start(1, 0), column;
-  for (const int node : free_nodes_) {
-    for (int p = K_.start[node]; p < K_.start[node + 1]; ++p) {
-      const int j = free_index_[K_.column[p]];
-      if (j != -1) column.push_back(j);
-    }
-    start.push_back(static_cast<int>(column.size()));
-  }
-  // The three components of a node share its neighbours: ordering the graph of nodes is nine times
-  // less work than ordering K, and no worse.
-  order.clear();
-  for (const int node : nested_dissection(start, column)) {
-    for (int axis = 0; axis < 3; ++axis) order.push_back(3 * node + axis);
-  }
-  Eigen::SparseMatrix<double> lower(3 * n, 3 * n);
-  std::vector<int> entries(static_cast<std::size_t>(3 * n));
-  for (int i = 0; i < n; ++i) {
-    const auto below = std::count_if(column.begin() + start[i], column.begin() + start[i + 1],
-                                     [i](int j) { return j > i; });
-    for (int axis = 0; axis < 3; ++axis) {
-      entries[3 * i + axis] = static_cast<int>(3 * below) + 3 - axis;
-    }
-  }
-  lower.reserve(entries);
-  for (int i = 0; i < n; ++i) {
-    const int node = free_nodes_[i];
-    for (int axis = 0; axis < 3; ++axis) {
-      for (int p = K_.start[node]; p < K_.start[node + 1]; ++p) {
-        const int j = free_index_[K_.column[p]];
-        if (j < i) continue;
-        // Column 3i+axis holds rows 3j+k: block (j, i) is the transpose of block (i, j).
-        for (int k = j == i ? axis : 0; k < 3; ++k) {
-          lower.insert(3 * j + k, 3 * i + axis) = K_.blocks[p](axis, k);
-        }
-      }
-    }
-  }
-  lower.makeCompressed();
-  return lower;
+  order_ = elimination_order(K_, free_);
+  factor_ = std::make_unique<SpdFactor>(free_stiffness(K_, free_), order_, backend);
 }
 
 Eigen::MatrixXd StaticSolver::solve_columns(const Eigen::MatrixXd& prescribed,
                                             const Eigen::MatrixXd& forces) const {
-  const auto n = static_cast<int>(supports_.size());
-  const auto n_free = static_cast<int>(free_nodes_.size());
-  Eigen::MatrixXd u = Eigen::MatrixXd::Zero(3 * n, prescribed.cols());
-  for (int i = 0; i < n; ++i) {
-    if (supports_[i] == Support::attached) u.middleRows<3>(3 * i) = prescribed.middleRows<3>(3 * i);
-  }
-  // K_ff u_f = f_f − K_fd u_d; at this point u holds u_d and zeros.
-  const auto load = [&](const Eigen::MatrixXd& displacements) {
-    Eigen::MatrixXd r(3 * n_free, displacements.cols());
-    for (int i = 0; i < n_free; ++i) {
-      const int node = free_nodes_[i];
-      r.middleRows<3>(3 * i) = forces.middleRows<3>(3 * node);
-      for (int p = K_.start[node]; p < K_.start[node + 1]; ++p) {
-        r.middleRows<3>(3 * i).noalias() -=
-            K_.blocks[p] * displacements.middleRows<3>(3 * K_.column[p]);
-      }
-    }
-    return r;
-  };
-  const Eigen::MatrixXd right_side = load(u);
-  const auto add_free = [&](const Eigen::MatrixXd& x) {
-    for (int i = 0; i < n_free; ++i) {
-      u.middleRows<3>(3 * free_nodes_[i]) += x.middleRows<3>(3 * i);
-    }
-  };
-  add_free(factor_->solve(right_side));
+  Eigen::MatrixXd u(prescribed.rows(), prescribed.cols());
   for (Eigen::Index column = 0; column < u.cols(); ++column) {
-    if (!u.col(column).allFinite()) {
-      throw Error(ErrorKind::numeric, "solver", "the displacement is not finite",
-                  "report this case: it is a fault of the program");
-    }
+    const Eigen::VectorXd given = prescribed.col(column);
+    const Points part = prescribed_part(
+        supports_, Eigen::Map<const Points>(given.data(), elements_.nodes.rows(), 3));
+    u.col(column) = part.reshaped<Eigen::RowMajor>();
   }
-  const Eigen::MatrixXd residual = load(u);
-  for (Eigen::Index column = 0; column < u.cols(); ++column) {
-    const double scale = right_side.col(column).norm();
-    if (scale > 0 && residual.col(column).norm() > kResidualLimit * scale) {
-      std::ostringstream size;
-      size << residual.col(column).norm() / scale;
-      throw Error(ErrorKind::numeric, "solver",
-                  "the relative residual is " + size.str() + ", above the limit of 1e-8",
-                  "use a better shaped region or a smaller Poisson's ratio");
-    }
-  }
+  // QᵀKQ q = Qᵀ(f − K u_d); at this point u holds u_d.
+  const Eigen::MatrixXd right_side = out_of_balance(K_, free_, forces, u);
+  free_.add(factor_->solve(right_side), u);
+  require_solved(out_of_balance(K_, free_, forces, u), right_side);
   return u;
 }
 
@@ -131,18 +83,10 @@ StaticSolution StaticSolver::solve(const Points& prescribed, const Points& force
   const Eigen::VectorXd u = solve_columns(u_given, f);
   StaticSolution solution;
   solution.displacements = Eigen::Map<const Points>(u.data(), n, 3);
-  Points given = Points::Zero(n, 3);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    if (supports_[i] == Support::attached) given.row(i) = prescribed.row(i);
-  }
-  const Points out_of_balance = forces - K_ * solution.displacements;
-  const Points right_side = forces - K_ * given;
-  double residual = 0, scale = 0;
-  for (const int i : free_nodes_) {
-    residual += out_of_balance.row(i).squaredNorm();
-    scale += right_side.row(i).squaredNorm();
-  }
-  solution.relative_residual = scale > 0 ? std::sqrt(residual / scale) : 0;
+  const Points given = prescribed_part(supports_, prescribed);
+  const double scale = free_.gather(Points(forces - K_ * given)).norm();
+  const double residual = free_.gather(Points(forces - K_ * solution.displacements)).norm();
+  solution.relative_residual = scale > 0 ? residual / scale : 0;
   return solution;
 }
 

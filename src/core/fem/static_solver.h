@@ -8,35 +8,28 @@
 
 namespace gnathion {
 
-/// What holds or moves a node (paper, 4.3.2).
-enum class Support : unsigned char {
-  free,      ///< moves as the elastic forces say
-  fixed,     ///< does not move
-  attached,  ///< moves with the bone segment
-};
-
-/// How a mesh of n nodes is held: one Support a node.
-using Supports = std::vector<Support>;
-
 /// A solution and how well it satisfies the equations.
 struct StaticSolution {
-  Points displacements;  ///< n×3, mm
-  double relative_residual = 0;  ///< ‖f − K u‖ / ‖K_fd u_d − f‖ over the free nodes; 0 for no load
+  Points displacements;          ///< n×3, mm
+  double relative_residual = 0;  ///< ‖Qᵀ(f − K u)‖ / ‖Qᵀ(f − K u_d)‖; 0 for no load
 };
 
 /// Linear statics of one mesh under one set of supports: K u = f with u given at the fixed and
-/// attached nodes. The factor of K's free part is made once; each question costs a back-solve.
+/// attached nodes and, along the bone's normal, at the sliding ones: u = u_d + Q q. The factor of
+/// QᵀKQ is made once; each question costs a back-solve.
 class StaticSolver {
  public:
   /// Largest relative residual that solve() lets pass.
   static constexpr double kResidualLimit = 1e-8;
 
+  /// supports: one a node of `elements`.
   /// Throws Error(numeric) for an inverted tet, for a mesh that no support holds, and for a K that
   /// is not positive definite; Error(case_file) for a material out of range.
-  StaticSolver(const TetMesh& mesh, const ElasticMaterial& material, Supports supports,
+  StaticSolver(ElementMesh elements, TissueMaterials materials, Supports supports,
                Progress& progress, SpdBackend backend = default_spd_backend());
 
-  /// `prescribed`: n×3, mm, read at attached nodes only. `forces`: n×3, N, read at free nodes only.
+  /// `prescribed`: n×3, mm, read where a support prescribes (prescribed_part()). `forces`: n×3, N,
+  /// read at nodes that are not held.
   /// Throws Error(numeric) when the relative residual exceeds kResidualLimit or the result is not
   /// finite.
   StaticSolution solve(const Points& prescribed, const Points& forces) const;
@@ -46,21 +39,21 @@ class StaticSolver {
   Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& prescribed,
                                 const Eigen::MatrixXd& forces) const;
 
+  const ElementMesh& elements() const { return elements_; }
+  const TissueMaterials& materials() const { return materials_; }
   const StiffnessMatrix& stiffness() const { return K_; }
   const Supports& supports() const { return supports_; }
-  int free_count() const { return static_cast<int>(free_nodes_.size()); }
-  /// The mesh's index of each free node, ascending.
-  const std::vector<int>& free_nodes() const { return free_nodes_; }
-
-  /// The lower triangle of K's rows and columns of the free nodes (component 3i+axis of the i-th),
-  /// and an order to eliminate them in.
-  Eigen::SparseMatrix<double> free_part(std::vector<int>& order) const;
+  const FreePart& free_part() const { return free_; }
+  const SpdFactor& factor() const { return *factor_; }      ///< of QᵀKQ
+  const std::vector<int>& order() const { return order_; }  ///< its elimination order
 
  private:
+  ElementMesh elements_;
+  TissueMaterials materials_;
   StiffnessMatrix K_;
   Supports supports_;
-  std::vector<int> free_nodes_;
-  std::vector<int> free_index_;  ///< n, place among the free nodes, −1 for the others
+  FreePart free_;
+  std::vector<int> order_;
   std::unique_ptr<SpdFactor> factor_;
 };
 

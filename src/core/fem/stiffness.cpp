@@ -1,36 +1,65 @@
 #include "fem/stiffness.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <string>
 
 #include "base/error.h"
+#include "fem/spd_factor.h"
 
 namespace gnathion {
 namespace {
 
-/// The pattern of K: for every node, the nodes it shares a tet with, itself included, ascending.
-void set_pattern(const TetMesh& mesh, StiffnessMatrix& K) {
-  const auto n = static_cast<std::size_t>(mesh.vertices.rows());
-  std::vector<int> first_tet(n + 1, 0);
-  for (Eigen::Index t = 0; t < mesh.tets.rows(); ++t) {
-    for (int k = 0; k < 4; ++k) ++first_tet[mesh.tets(t, k) + 1];
+template <int m>
+void add_elements(const ElementMesh& mesh, const TissueMaterials& materials, StiffnessMatrix& K) {
+  for (Eigen::Index t = 0; t < mesh.elements.rows(); ++t) {
+    const int* element = mesh.elements.row(t).data();
+    const IntegrationPoints<m> points = integration_points<m>(mesh.nodes, element);
+    if (!(points[0].volume > 0)) {
+      throw Error(ErrorKind::numeric, "tetrahedral mesh",
+                  "tet " + std::to_string(t) + " is inverted or flat (volume " +
+                      std::to_string(points[0].volume * points.size()) + " mm3)",
+                  "use the robust generator, or a smaller depth");
+    }
+    const double lambda = materials[t].lame_lambda(), mu = materials[t].shear_modulus();
+    Eigen::Matrix<double, 3 * m, 3 * m> matrix = Eigen::Matrix<double, 3 * m, 3 * m>::Zero();
+    for (const IntegrationPoint<m>& point : points) {
+      for (int a = 0; a < m; ++a) {
+        const Eigen::Vector3d ga = point.volume * point.gradients.row(a);
+        for (int b = 0; b < m; ++b) {
+          const Eigen::Vector3d gb = point.gradients.row(b);
+          auto block = matrix.template block<3, 3>(3 * a, 3 * b);
+          block += lambda * ga * gb.transpose() + mu * gb * ga.transpose();
+          block.diagonal().array() += mu * ga.dot(gb);
+        }
+      }
+    }
+    K.add<m>(element, matrix);
   }
-  for (std::size_t i = 0; i < n; ++i) first_tet[i + 1] += first_tet[i];
-  std::vector<int> tets_of(static_cast<std::size_t>(first_tet[n]));
-  std::vector<int> next(first_tet.begin(), first_tet.end() - 1);
-  for (int t = 0; t < mesh.tets.rows(); ++t) {
-    for (int k = 0; k < 4; ++k) tets_of[next[mesh.tets(t, k)]++] = t;
+}
+
+}  // namespace
+
+StiffnessMatrix empty_stiffness(const ElementMesh& mesh) {
+  const auto n = static_cast<std::size_t>(mesh.nodes.rows());
+  const Eigen::Index m = mesh.elements.cols();
+  std::vector<int> first_element(n + 1, 0);
+  for (const int node : mesh.elements.reshaped<Eigen::RowMajor>()) ++first_element[node + 1];
+  for (std::size_t i = 0; i < n; ++i) first_element[i + 1] += first_element[i];
+  std::vector<int> elements_of(static_cast<std::size_t>(first_element[n]));
+  std::vector<int> next(first_element.begin(), first_element.end() - 1);
+  for (int t = 0; t < mesh.elements.rows(); ++t) {
+    for (Eigen::Index k = 0; k < m; ++k) elements_of[next[mesh.elements(t, k)]++] = t;
   }
+  StiffnessMatrix K;
   K.start.assign(1, 0);
   K.start.reserve(n + 1);
   K.column.reserve(n * 16);
   std::vector<int> seen_by(n, -1);
   for (int i = 0; i < static_cast<int>(n); ++i) {
     const std::size_t begin = K.column.size();
-    for (int p = first_tet[i]; p < first_tet[i + 1]; ++p) {
-      for (int k = 0; k < 4; ++k) {
-        const int j = mesh.tets(tets_of[p], k);
+    for (int p = first_element[i]; p < first_element[i + 1]; ++p) {
+      for (Eigen::Index k = 0; k < m; ++k) {
+        const int j = mesh.elements(elements_of[p], k);
         if (seen_by[j] == i) continue;
         seen_by[j] = i;
         K.column.push_back(j);
@@ -39,9 +68,9 @@ void set_pattern(const TetMesh& mesh, StiffnessMatrix& K) {
     std::sort(K.column.begin() + static_cast<std::ptrdiff_t>(begin), K.column.end());
     K.start.push_back(static_cast<int>(K.column.size()));
   }
+  K.blocks.assign(K.column.size(), Eigen::Matrix3d::Zero());
+  return K;
 }
-
-}  // namespace
 
 Points StiffnessMatrix::operator*(const Points& u) const {
   Points f = Points::Zero(u.rows(), 3);
@@ -55,51 +84,96 @@ Points StiffnessMatrix::operator*(const Points& u) const {
   return f;
 }
 
-LinearTet linear_tet(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
-                     const Eigen::Vector3d& d) {
-  const Eigen::Vector3d e1 = b - a, e2 = c - a, e3 = d - a;
-  const Eigen::Vector3d n1 = e2.cross(e3), n2 = e3.cross(e1), n3 = e1.cross(e2);
-  const double six_volumes = e1.dot(n1);
-  LinearTet tet;
-  tet.volume = six_volumes / 6;
-  tet.gradients.row(1) = n1 / six_volumes;
-  tet.gradients.row(2) = n2 / six_volumes;
-  tet.gradients.row(3) = n3 / six_volumes;
-  tet.gradients.row(0) = -(tet.gradients.row(1) + tet.gradients.row(2) + tet.gradients.row(3));
-  return tet;
+template <int m>
+void StiffnessMatrix::add(const int* element, const Eigen::Matrix<double, 3 * m, 3 * m>& matrix) {
+  for (int a = 0; a < m; ++a) {
+    const auto row_begin = column.begin() + start[element[a]];
+    const auto row_end = column.begin() + start[element[a] + 1];
+    for (int b = 0; b < m; ++b) {
+      const auto place = std::lower_bound(row_begin, row_end, element[b]) - column.begin();
+      blocks[static_cast<std::size_t>(place)] += matrix.template block<3, 3>(3 * a, 3 * b);
+    }
+  }
+}
+template void StiffnessMatrix::add<4>(const int*, const Eigen::Matrix<double, 12, 12>&);
+template void StiffnessMatrix::add<10>(const int*, const Eigen::Matrix<double, 30, 30>&);
+
+StiffnessMatrix stiffness_matrix(const ElementMesh& mesh, const TissueMaterials& materials) {
+  validate(materials, mesh.elements.rows());
+  StiffnessMatrix K = empty_stiffness(mesh);
+  if (mesh.order() == ElementOrder::linear) {
+    add_elements<4>(mesh, materials, K);
+  } else {
+    add_elements<10>(mesh, materials, K);
+  }
+  return K;
 }
 
-StiffnessMatrix stiffness_matrix(const TetMesh& mesh, const ElasticMaterial& material) {
-  validate(material);
-  const double lambda = material.lame_lambda();
-  const double mu = material.shear_modulus();
-  StiffnessMatrix K;
-  set_pattern(mesh, K);
-  K.blocks.assign(K.column.size(), Eigen::Matrix3d::Zero());
-  for (Eigen::Index t = 0; t < mesh.tets.rows(); ++t) {
-    const auto nodes = mesh.tets.row(t);
-    const LinearTet tet = linear_tet(mesh.vertices.row(nodes[0]), mesh.vertices.row(nodes[1]),
-                                     mesh.vertices.row(nodes[2]), mesh.vertices.row(nodes[3]));
-    if (!(tet.volume > 0)) {
-      throw Error(ErrorKind::numeric, "tetrahedral mesh",
-                  "tet " + std::to_string(t) + " is inverted or flat (volume " +
-                      std::to_string(tet.volume) + " mm3)",
-                  "use the robust generator, or a smaller depth");
+namespace {
+
+/// For each node its place among those with a free part, −1 for the others.
+std::vector<int> free_index(const StiffnessMatrix& K, const FreePart& free) {
+  std::vector<int> index(static_cast<std::size_t>(K.node_count()), -1);
+  for (std::size_t i = 0; i < free.nodes().size(); ++i) {
+    index[free.nodes()[i]] = static_cast<int>(i);
+  }
+  return index;
+}
+
+}  // namespace
+
+Eigen::SparseMatrix<double> free_stiffness(const StiffnessMatrix& K, const FreePart& free) {
+  const std::vector<int> index = free_index(K, free);
+  const std::vector<int>& first = free.first();
+  Eigen::SparseMatrix<double> lower(free.size(), free.size());
+  int* start = lower.outerIndexPtr();
+  start[0] = 0;
+  // Column first[i]+axis holds, of node i's own block, the rows from axis on, and all rows of the
+  // blocks of later nodes.
+  for (std::size_t i = 0; i < free.nodes().size(); ++i) {
+    const int node = free.nodes()[i];
+    int below = 0;
+    for (int p = K.start[node]; p < K.start[node + 1]; ++p) {
+      const int j = index[K.column[p]];
+      if (j > static_cast<int>(i)) below += first[j + 1] - first[j];
     }
-    for (int a = 0; a < 4; ++a) {
-      const Eigen::Vector3d ga = tet.gradients.row(a);
-      const auto row_begin = K.column.begin() + K.start[nodes[a]];
-      const auto row_end = K.column.begin() + K.start[nodes[a] + 1];
-      for (int b = 0; b < 4; ++b) {
-        const Eigen::Vector3d gb = tet.gradients.row(b);
-        const auto place = std::lower_bound(row_begin, row_end, nodes[b]) - K.column.begin();
-        Eigen::Matrix3d& block = K.blocks[static_cast<std::size_t>(place)];
-        block += tet.volume * (lambda * ga * gb.transpose() + mu * gb * ga.transpose());
-        block.diagonal().array() += tet.volume * mu * ga.dot(gb);
+    for (int c = first[i]; c < first[i + 1]; ++c)
+      start[c + 1] = start[c] + first[i + 1] - c + below;
+  }
+  lower.resizeNonZeros(start[free.size()]);
+  for (std::size_t i = 0; i < free.nodes().size(); ++i) {
+    const int node = free.nodes()[i];
+    std::array<int, 3> next{};
+    for (int c = first[i]; c < first[i + 1]; ++c) next[c - first[i]] = start[c];
+    for (int p = K.start[node]; p < K.start[node + 1]; ++p) {
+      const int j = index[K.column[p]];
+      if (j < static_cast<int>(i)) continue;
+      // Block (i, j) is the transpose of block (j, i).
+      const auto block = (free.frame(i).transpose() * K.blocks[p] * free.frame(j)).eval();
+      for (int a = 0; a < block.rows(); ++a) {
+        for (int b = j == static_cast<int>(i) ? a : 0; b < block.cols(); ++b) {
+          lower.innerIndexPtr()[next[a]] = first[j] + b;
+          lower.valuePtr()[next[a]++] = block(a, b);
+        }
       }
     }
   }
-  return K;
+  return lower;
+}
+
+std::vector<int> elimination_order(const StiffnessMatrix& K, const FreePart& free) {
+  const std::vector<int> index = free_index(K, free);
+  std::vector<int> start(1, 0), column, order;
+  for (const int node : free.nodes()) {
+    for (int p = K.start[node]; p < K.start[node + 1]; ++p) {
+      if (index[K.column[p]] != -1) column.push_back(index[K.column[p]]);
+    }
+    start.push_back(static_cast<int>(column.size()));
+  }
+  for (const int i : nested_dissection(start, column)) {
+    for (int c = free.first()[i]; c < free.first()[i + 1]; ++c) order.push_back(c);
+  }
+  return order;
 }
 
 }  // namespace gnathion

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <vector>
 
+#include "fem/elements.h"
 #include "fem/material.h"
-#include "geometry/mesh_types.h"
 
 namespace gnathion {
 
@@ -19,21 +20,27 @@ struct StiffnessMatrix {
   int node_count() const { return static_cast<int>(start.size()) - 1; }
   /// K u. u: n×3, mm. Returns n×3 forces, N.
   Points operator*(const Points& u) const;
+  /// Adds one element's matrix: m nodes, 3m×3m, row-major blocks by node.
+  template <int m>
+  void add(const int* element, const Eigen::Matrix<double, 3 * m, 3 * m>& matrix);
 };
 
-/// The four gradients of a linear tet's shape functions (rows, 1/mm) and its volume (mm³).
-struct LinearTet {
-  Eigen::Matrix<double, 4, 3> gradients;
-  double volume = 0;
-};
-LinearTet linear_tet(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
-                     const Eigen::Vector3d& d);
+/// K's pattern for a mesh, all blocks zero.
+StiffnessMatrix empty_stiffness(const ElementMesh& mesh);
 
-/// K of linear (constant-strain) tetrahedra with Hooke's law and Cauchy strain:
-///   K_ab = V (λ g_a g_bᵀ + μ g_b g_aᵀ + μ (g_a·g_b) I),
-/// g the gradients of the shape functions. Every node of the mesh must belong to a tet.
+/// K of Hooke's law and Cauchy strain:
+///   K_ab = Σ V (λ g_a g_bᵀ + μ g_b g_aᵀ + μ (g_a·g_b) I) over the integration points,
+/// g the gradients of the shape functions. Every node of the mesh must belong to an element.
 /// Throws Error(numeric) naming the first tet whose volume is not positive: K would not be
 /// positive definite, and a solver might not say so.
-StiffnessMatrix stiffness_matrix(const TetMesh& mesh, const ElasticMaterial& material);
+StiffnessMatrix stiffness_matrix(const ElementMesh& mesh, const TissueMaterials& materials);
+
+/// The lower triangle of QᵀKQ, by compressed columns.
+Eigen::SparseMatrix<double> free_stiffness(const StiffnessMatrix& K, const FreePart& free);
+
+/// An order with little fill to eliminate the free part in, by nested dissection of the graph of
+/// nodes: the components of a node share its neighbours, so that K's own graph is nine times the
+/// work and no better.
+std::vector<int> elimination_order(const StiffnessMatrix& K, const FreePart& free);
 
 }  // namespace gnathion

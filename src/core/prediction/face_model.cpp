@@ -186,8 +186,8 @@ FaceModel::FaceModel(const Anatomy& anatomy, const RegionChoice& region, const T
   const auto stage = progress.stage("response basis");
   surface_map_ = index_map(problem_.region, rest_face_);
   if (load_ == LoadModel::displacement) {
-    basis_ = response_basis(*solver_, tissue.mesh.vertices, anatomy.pivot);
-    face_basis_ = {compose(surface_map_, basis_.columns(), moving_vertices_), anatomy.pivot};
+    basis_ = response_basis(*solver_, {anatomy.pivot});
+    face_basis_ = {compose(surface_map_, basis_.columns(), moving_vertices_), {anatomy.pivot}};
   } else {
     const Points normals = vertex_normals(problem_.region.mesh)(problem_.forced, Eigen::all);
     force_basis_ = force_basis(*solver_, problem_.forced, normals);
@@ -203,7 +203,7 @@ void FaceModel::predict(const RigidMotion& motion, Points& face_points) const {
     return;
   }
   Points u;
-  face_basis_.displacements(motion, u);
+  face_basis_.displacements({&motion, 1}, u);
   for (std::size_t i = 0; i < moving_vertices_.size(); ++i) {
     face_points.row(moving_vertices_[i]) += u.row(static_cast<Eigen::Index>(i));
   }
@@ -212,7 +212,7 @@ void FaceModel::predict(const RigidMotion& motion, Points& face_points) const {
 Points FaceModel::tissue_displacements(const RigidMotion& motion) const {
   Points u;
   if (load_ == LoadModel::displacement) {
-    basis_.displacements(motion, u);
+    basis_.displacements({&motion, 1}, u);
     return u;
   }
   require_translation(motion);

@@ -32,7 +32,7 @@ json sizes_json(const Anatomy& anatomy, const FaceModel& model) {
           {"bone_links", problem.links.size()},
           {"tissue_nodes", problem.tissue.mesh.vertices.rows()},
           {"tets", problem.tissue.mesh.tets.rows()},
-          {"free_nodes", model.solver().free_count()},
+          {"free_nodes", model.solver().free_part().nodes().size()},
           {"nodes_on_segment", problem.attached_count},
           {"nodes_on_other_bone", problem.on_skull_count},
           {"nodes_released_at_the_cut", problem.released_count},

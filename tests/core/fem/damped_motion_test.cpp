@@ -44,27 +44,24 @@ struct Mode {
   Points shape;
 };
 
-Mode lowest_mode(const HeldPatch& patch, const StaticSolver& statics, double density) {
-  std::vector<int> order;
-  const Eigen::MatrixXd lower = statics.free_part(order);
+Mode lowest_mode(const StaticSolver& statics, double density) {
+  const FreePart& free = statics.free_part();
+  const Eigen::MatrixXd lower = free_stiffness(statics.stiffness(), free);
   const Eigen::MatrixXd K = lower.selfadjointView<Eigen::Lower>();
-  Eigen::VectorXd node_mass = Eigen::VectorXd::Zero(patch.tissue.mesh.vertices.rows());
-  const Points& x = patch.tissue.mesh.vertices;
-  for (const auto& t : patch.tissue.mesh.tets.rowwise()) {
-    const double volume = linear_tet(x.row(t[0]), x.row(t[1]), x.row(t[2]), x.row(t[3])).volume;
-    for (const int node : t) node_mass[node] += density * volume / 4;
+  const ElementMesh& mesh = statics.elements();
+  Points node_mass = Points::Zero(mesh.nodes.rows(), 3);
+  for (const auto& t : mesh.elements.rowwise()) {
+    const double volume = linear_tet(mesh.nodes.row(t[0]), mesh.nodes.row(t[1]),
+                                     mesh.nodes.row(t[2]), mesh.nodes.row(t[3]))
+                              .volume;
+    for (const int node : t) node_mass.row(node).array() += density * volume / 4;
   }
-  Eigen::VectorXd root(K.rows());
-  for (int i = 0; i < statics.free_count(); ++i) {
-    root.segment<3>(3 * i).setConstant(1 / std::sqrt(node_mass[statics.free_nodes()[i]]));
-  }
+  const Eigen::VectorXd root = free.gather(node_mass).cwiseSqrt().cwiseInverse();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(root.asDiagonal() * K *
                                                               root.asDiagonal());
-  Mode mode{std::sqrt(solver.eigenvalues()[0]), Points::Zero(x.rows(), 3)};
+  Mode mode{std::sqrt(solver.eigenvalues()[0]), Points::Zero(mesh.nodes.rows(), 3)};
   const Eigen::VectorXd shape = root.cwiseProduct(solver.eigenvectors().col(0));
-  for (int i = 0; i < statics.free_count(); ++i) {
-    mode.shape.row(statics.free_nodes()[i]) = shape.segment<3>(3 * i) / shape.cwiseAbs().maxCoeff();
-  }
+  free.add(shape, 1 / shape.cwiseAbs().maxCoeff(), mode.shape);
   return mode;
 }
 
@@ -75,7 +72,7 @@ TEST_P(Schemes, SettleToTheStaticSolution) {
   DynamicsOptions options;
   options.scheme = GetParam();
   options.step = 0.05;
-  DampedMotion motion(scene.statics, scene.patch.tissue.mesh, options);
+  DampedMotion motion(scene.statics, options);
   motion.set_prescribed(scene.prescribed);
   EXPECT_GT(scene.distance(motion), 0.1) << "the tissue is still at rest";
   for (int k = 0; k < 200; ++k) motion.step();
@@ -93,7 +90,7 @@ TEST_P(Schemes, AreStableAtEveryStepEvenWithoutDamping) {
       options.step = step;
       options.alpha = 20 * damping;
       options.beta = 0.01 * damping;
-      DampedMotion motion(scene.statics, scene.patch.tissue.mesh, options);
+      DampedMotion motion(scene.statics, options);
       motion.set_prescribed(scene.prescribed);
       const double start = scene.excess(motion);
       ASSERT_GT(start, 0);
@@ -118,7 +115,7 @@ TEST(DampedMotion, ImplicitEulerNeverGainsEnergy) {
   DynamicsOptions options;
   options.alpha = options.beta = 0;
   options.step = 1e-3;
-  DampedMotion motion(scene.statics, scene.patch.tissue.mesh, options);
+  DampedMotion motion(scene.statics, options);
   motion.set_prescribed(scene.prescribed);
   double last = scene.excess(motion);
   const double rounding = 1e-12 * last;
@@ -135,7 +132,7 @@ TEST(DampedMotion, AModeDecaysAsRayleighSaysAtTheSchemesOwnRate) {
   Progress progress;
   const StaticSolver statics(patch.tissue.mesh, {}, patch.supports, progress);
   DynamicsOptions options;
-  const Mode mode = lowest_mode(patch, statics, options.density);
+  const Mode mode = lowest_mode(statics, options.density);
   // ü + 2ζω u̇ + ω²u = 0 with 2ζω = α + βω²: 10 % of critical damping, half from each term.
   options.alpha = 0.1 * mode.omega;
   options.beta = 0.1 / mode.omega;
@@ -148,7 +145,7 @@ TEST(DampedMotion, AModeDecaysAsRayleighSaysAtTheSchemesOwnRate) {
     options.scheme = scheme;
     options.gamma = 0.5;
     options.step = end / steps;
-    DampedMotion motion(statics, patch.tissue.mesh, options);
+    DampedMotion motion(statics, options);
     motion.set_state(mode.shape, Points::Zero(mode.shape.rows(), 3));
     for (int k = 0; k < steps; ++k) motion.step();
     return (motion.displacements() - exact * mode.shape).cwiseAbs().maxCoeff();
@@ -166,7 +163,7 @@ TEST(DampedMotion, RefusesOptionsOutOfRange) {
     DynamicsOptions options;
     set(options);
     try {
-      const DampedMotion motion(scene.statics, scene.patch.tissue.mesh, options);
+      const DampedMotion motion(scene.statics, options);
       return std::string("accepted");
     } catch (const Error& error) {
       return error.subject();

@@ -150,7 +150,7 @@ void mesh_verb(const fs::path& case_file, const fs::path& target, std::ostream& 
     if (model.load == LoadModel::displacement) {
       const Points prescribed =
           moved(mesh.vertices, rigid_motion(step.plan.motion, step.anatomy.pivot)) - mesh.vertices;
-      write_calculix_deck(mesh, model.material, problem.supports, prescribed,
+      write_calculix_deck({mesh, model.material, problem.supports, prescribed},
                           step.folder / "tissue.inp");
     }
     out << mesh.tets.rows() << " tetrahedra\n";

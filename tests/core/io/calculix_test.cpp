@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdlib>
+#include <tuple>
 
 #include "base/error.h"
+#include "fem/static_solver.h"
 #include "geometry/rigid_motion.h"
 #include "support/expect_error.h"
 #include "support/face_patch.h"
@@ -17,60 +20,104 @@ namespace {
 
 using test::TemporaryFolder;
 
-/// Tissue under two lips, its rim fixed, the inner points of its middle moved by a bone.
-struct Problem {
-  TetMesh mesh;
-  Supports supports;
-  Points prescribed;
-};
+enum class Held { tied, sliding };
 
-Problem lips_on_bone(double size) {
+/// Tissue under two lips, its rim fixed, the inner points of its middle moved by a bone, to which
+/// they are tied or on which they slide.
+CalculixProblem lips_on_bone(double size, ElementOrder order, Held held) {
   const IntermediateMesh region = testing::whole_region(testing::hard_patch(1, 0));
   const SoftTissueMesh tissue =
       st_generator(region, offset_directions(region, 5),
                    Eigen::VectorXd::Constant(region.mesh.vertices.rows(), 5));
-  Problem problem{tissue.mesh, Supports(static_cast<std::size_t>(tissue.mesh.vertices.rows())), {}};
   const Points& x = tissue.mesh.vertices;
+  const Points normals = vertex_normals(region.mesh);
+  Supports supports(static_cast<std::size_t>(x.rows()));
   const Eigen::RowVector3d middle = x.topRows(tissue.surface_count).colwise().mean();
   for (int v = 0; v < tissue.surface_count; ++v) {
     if (region.rim[v]) {
-      problem.supports[v] = problem.supports[tissue.inner(v)] = Support::fixed;
+      supports[v] = supports[tissue.inner(v)] = Support::fixed;
     } else if ((x.row(v) - middle).head<2>().norm() < 12) {
-      problem.supports[tissue.inner(v)] = Support::attached;
+      const bool slides = held == Held::sliding && x(v, 1) > middle[1];
+      supports[tissue.inner(v)] =
+          slides ? Support::slides(normals.row(v).transpose(), 0) : Support(Support::attached);
     }
   }
+  CalculixProblem problem{ElementMesh(tissue.mesh, order), {}, {}, {}};
+  problem.supports = supports_of_nodes(problem.elements, supports);
+  std::vector<unsigned char> kind_of_tet;
+  for (Eigen::Index t = 0; t < tissue.mesh.tets.rows(); ++t) {
+    kind_of_tet.push_back(x(tissue.mesh.tets(t, 0), 0) > middle[0]);
+  }
+  problem.materials = {{{0.7, 0.46}, {0.2, 0.49}}, kind_of_tet};
   const RigidMotion turn{
       Eigen::AngleAxisd(0.1, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix(),
       Eigen::Vector3d(0.5, -4, 2)};
-  problem.prescribed = size * (moved(x, turn) - x);
+  const std::array motions{turn};
+  problem.prescribed = size * bone_displacements(problem.elements.nodes, problem.supports, motions);
   return problem;
 }
 
-class CalculixAgrees : public ::testing::TestWithParam<double> {};
-
-TEST_P(CalculixAgrees, ToAMillionthOfTheLargestDisplacement) {
-  if (std::system("command -v ccx > /dev/null") != 0) {
-    GTEST_SKIP() << "CalculiX is not here: apt-get install calculix-ccx";
-  }
-  const Problem problem = lips_on_bone(GetParam());
-  const ElasticMaterial material{0.7, 0.46};
-  Progress progress;
-  const Points ours = StaticSolver(problem.mesh, material, problem.supports, progress)
-                          .solve(problem.prescribed, Points::Zero(problem.prescribed.rows(), 3))
-                          .displacements;
-  const TemporaryFolder folder;
-  write_calculix_deck(problem.mesh, material, problem.supports, problem.prescribed,
-                      folder / "patch.inp");
-  const std::string command =
-      "cd '" + folder.path().string() + "' && OMP_NUM_THREADS=1 ccx patch > ccx.log 2>&1";
-  ASSERT_EQ(std::system(command.c_str()), 0) << test::bytes_of(folder / "ccx.log");
-  const Points theirs = read_calculix_displacements(folder / "patch.dat", ours.rows());
-  const double difference = (ours - theirs).rowwise().norm().maxCoeff();
-  EXPECT_LT(difference, 1e-6 * ours.rowwise().norm().maxCoeff());
+bool has_calculix() {
+  return std::system("command -v ccx > /dev/null") == 0;
 }
 
-// Small motions too: ccx reads 20 characters of a number, and their exponents are long.
-INSTANTIATE_TEST_SUITE_P(Sizes, CalculixAgrees, ::testing::Values(1.0, 1e-6));
+/// What ccx prints for the problem.
+Points answer_of_calculix(const CalculixProblem& problem) {
+  const TemporaryFolder folder;
+  write_calculix_deck(problem, folder / "patch.inp");
+  const std::string command =
+      "cd '" + folder.path().string() + "' && OMP_NUM_THREADS=1 ccx patch > ccx.log 2>&1";
+  EXPECT_EQ(std::system(command.c_str()), 0) << test::bytes_of(folder / "ccx.log");
+  return read_calculix_displacements(folder / "patch.dat", problem.elements.nodes.rows());
+}
+
+Points our_answer(const CalculixProblem& problem) {
+  Progress progress;
+  return StaticSolver(problem.elements, problem.materials, problem.supports, progress)
+      .solve(problem.prescribed, Points::Zero(problem.prescribed.rows(), 3))
+      .displacements;
+}
+
+using Case = std::tuple<double, ElementOrder, Held>;
+class CalculixAgrees : public ::testing::TestWithParam<Case> {};
+
+// Two tissues, one nearly incompressible; small motions too: ccx reads 20 characters of a number,
+// and their exponents are long.
+TEST_P(CalculixAgrees, ToRounding) {
+  if (!has_calculix()) GTEST_SKIP() << "CalculiX is not here: apt-get install calculix-ccx";
+  const auto [size, order, held] = GetParam();
+  CalculixProblem problem = lips_on_bone(size, order, held);
+  const Points ours = our_answer(problem);
+  problem.compared_with = ours;
+  const double difference = answer_of_calculix(problem).rowwise().norm().maxCoeff();
+  EXPECT_LT(difference, 1e-10 * ours.rowwise().norm().maxCoeff());
+}
+
+INSTANTIATE_TEST_SUITE_P(Problems, CalculixAgrees,
+                         ::testing::Values(Case(1, ElementOrder::linear, Held::tied),
+                                           Case(1e-6, ElementOrder::linear, Held::tied),
+                                           Case(1, ElementOrder::linear, Held::sliding),
+                                           Case(1, ElementOrder::quadratic, Held::tied),
+                                           Case(1, ElementOrder::quadratic, Held::sliding)));
+
+TEST(Calculix, PrintsTheDisplacementsWhereNothingIsCompared) {
+  if (!has_calculix()) GTEST_SKIP() << "CalculiX is not here: apt-get install calculix-ccx";
+  const CalculixProblem problem = lips_on_bone(1, ElementOrder::linear, Held::tied);
+  const Points ours = our_answer(problem);
+  const double difference = (answer_of_calculix(problem) - ours).rowwise().norm().maxCoeff();
+  EXPECT_LT(difference, 1e-6 * ours.rowwise().norm().maxCoeff());
+  EXPECT_GT(difference, 0);  // of seven digits
+}
+
+TEST(Calculix, PrintsWhatIsLeftOfAWrongAnswer) {
+  if (!has_calculix()) GTEST_SKIP() << "CalculiX is not here: apt-get install calculix-ccx";
+  CalculixProblem problem = lips_on_bone(1, ElementOrder::linear, Held::sliding);
+  const Points ours = our_answer(problem);
+  problem.compared_with = (1 - 1e-6) * ours;
+  const Points left = answer_of_calculix(problem);
+  EXPECT_LT((left - 1e-6 * ours).rowwise().norm().maxCoeff(),
+            1e-11 * ours.rowwise().norm().maxCoeff());
+}
 
 TEST(CalculixDeck, HasNoNumberThatCcxWouldCutShort) {
   TetMesh mesh{Points(4, 3), Tets(1, 4)};
@@ -78,7 +125,8 @@ TEST(CalculixDeck, HasNoNumberThatCcxWouldCutShort) {
   mesh.tets << 0, 1, 2, 3;
   const TemporaryFolder folder;
   const Points prescribed = Points::Constant(4, 3, -1e-7 / 3);
-  write_calculix_deck(mesh, {1. / 3, 0.46}, Supports(4, Support::attached), prescribed,
+  write_calculix_deck({mesh, ElasticMaterial{1. / 3, 0.46}, Supports(4, Support::attached),
+                       prescribed, false, prescribed / 7},
                       folder / "one.inp");
   const std::string deck = test::bytes_of(folder / "one.inp");
   EXPECT_NE(deck.find("-3.33333333333"), std::string::npos);

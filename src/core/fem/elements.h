@@ -48,8 +48,8 @@ struct IntegrationPoint {
   double volume = 0;                      ///< weight times the volume of the element, mm³
 };
 
-/// One point for linear elements, the four of second order for quadratic ones: exact for the
-/// stiffness of straight-sided elements.
+/// One point for linear elements, the four of second order for quadratic ones: exact for products
+/// of two strains in straight-sided elements.
 template <int m>
 using IntegrationPoints = std::array<IntegrationPoint<m>, m == 4 ? 1 : 4>;
 

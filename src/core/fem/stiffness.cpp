@@ -10,6 +10,35 @@ namespace gnathion {
 namespace {
 
 template <int m>
+using ElementMatrix = Eigen::Matrix<double, 3 * m, 3 * m>;
+
+template <int m>
+ElementMatrix<m> element_stiffness(const IntegrationPoints<m>& points,
+                                   const ElasticMaterial& material) {
+  const double mu = material.shear_modulus();
+  ElementMatrix<m> matrix = ElementMatrix<m>::Zero();
+  Eigen::Matrix<double, m, 3, Eigen::RowMajor> dilatation =
+      Eigen::Matrix<double, m, 3, Eigen::RowMajor>::Zero();
+  double volume = 0;
+  for (const IntegrationPoint<m>& point : points) {
+    volume += point.volume;
+    dilatation += point.volume * point.gradients;
+    for (int a = 0; a < m; ++a) {
+      const Eigen::Vector3d ga = mu * point.volume * point.gradients.row(a);
+      for (int b = 0; b < m; ++b) {
+        const Eigen::Vector3d gb = point.gradients.row(b);
+        auto block = matrix.template block<3, 3>(3 * a, 3 * b);
+        block += gb * ga.transpose();
+        block.diagonal().array() += ga.dot(gb);
+      }
+    }
+  }
+  const Eigen::Map<const Eigen::Matrix<double, 3 * m, 1>> d(dilatation.data());
+  matrix.noalias() += (material.lame_lambda() / volume) * d * d.transpose();
+  return matrix;
+}
+
+template <int m>
 void add_elements(const ElementMesh& mesh, const TissueMaterials& materials, StiffnessMatrix& K) {
   for (Eigen::Index t = 0; t < mesh.elements.rows(); ++t) {
     const int* element = mesh.elements.row(t).data();
@@ -20,20 +49,7 @@ void add_elements(const ElementMesh& mesh, const TissueMaterials& materials, Sti
                       std::to_string(points[0].volume * points.size()) + " mm3)",
                   "use the robust generator, or a smaller depth");
     }
-    const double lambda = materials[t].lame_lambda(), mu = materials[t].shear_modulus();
-    Eigen::Matrix<double, 3 * m, 3 * m> matrix = Eigen::Matrix<double, 3 * m, 3 * m>::Zero();
-    for (const IntegrationPoint<m>& point : points) {
-      for (int a = 0; a < m; ++a) {
-        const Eigen::Vector3d ga = point.volume * point.gradients.row(a);
-        for (int b = 0; b < m; ++b) {
-          const Eigen::Vector3d gb = point.gradients.row(b);
-          auto block = matrix.template block<3, 3>(3 * a, 3 * b);
-          block += lambda * ga * gb.transpose() + mu * gb * ga.transpose();
-          block.diagonal().array() += mu * ga.dot(gb);
-        }
-      }
-    }
-    K.add<m>(element, matrix);
+    K.add<m>(element, element_stiffness<m>(points, materials[t]));
   }
 }
 

@@ -29,8 +29,11 @@ struct StiffnessMatrix {
 StiffnessMatrix empty_stiffness(const ElementMesh& mesh);
 
 /// K of Hooke's law and Cauchy strain:
-///   K_ab = Σ V (λ g_a g_bᵀ + μ g_b g_aᵀ + μ (g_a·g_b) I) over the integration points,
-/// g the gradients of the shape functions. Every node of the mesh must belong to an element.
+///   K_ab = Σ V_q (μ g_b g_aᵀ + μ (g_a·g_b) I) + λ/V d_a d_bᵀ,  d_a = Σ V_q g_a,  V = Σ V_q
+/// over an element's integration points q, g the gradients of the shape functions. λ sees the
+/// element's mean dilatation (after Nagtegaal, Parks and Rice 1974): in quadratic elements it would
+/// else constrain four dilatations an element, which locks as ν nears 1/2 and is less accurate at
+/// any ν of tissue (docs/evidence.md). Every node of the mesh must belong to an element.
 /// Throws Error(numeric) naming the first tet whose volume is not positive: K would not be
 /// positive definite, and a solver might not say so.
 StiffnessMatrix stiffness_matrix(const ElementMesh& mesh, const TissueMaterials& materials);

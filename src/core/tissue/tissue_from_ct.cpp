@@ -1,6 +1,7 @@
 #include "tissue/tissue_from_ct.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -45,23 +46,46 @@ double part_below(Eigen::Vector4d e, double level) {
          ((e[2] - e[0]) * (e[3] - e[0]));
 }
 
-/// Nothing when no sampled point is soft tissue.
-std::optional<TissueKind> kind_of(const CtVolume& ct, const Eigen::Matrix<double, 3, 4>& corners,
-                                  const Eigen::Vector4d& depths, const TissueConstants& constants) {
+/// Of the part of a tet below the skin; nothing when no sampled point of it is soft tissue.
+std::optional<TissueKind> kind_below_skin(const CtVolume& ct,
+                                          const Eigen::Matrix<double, 3, 4>& corners,
+                                          const Eigen::Vector4d& depths,
+                                          const TissueConstants& constants) {
   static const std::vector<Eigen::Vector4d> kPoints = lattice();
-  if (part_below(depths, constants.skin_mm) >= 0.5) return TissueKind::skin;
-  std::size_t soft = 0;
-  double sum = 0;
+  struct Sum {
+    long count = 0;
+    double hu = 0;
+  };
+  Sum deep, near_skin;
+  const double blurred = constants.skin_mm + ct.steps().maxCoeff();
   for (const Eigen::Vector4d& weights : kPoints) {
-    if (depths.dot(weights) < constants.skin_mm) continue;
+    const double depth = depths.dot(weights);
+    if (depth < constants.skin_mm) continue;
     const double hu = ct.sample(corners * weights);
     if (hu < constants.least_fat_hu || hu > constants.most_muscle_hu) continue;
-    sum += hu;
-    ++soft;
+    Sum& sum = depth < blurred ? near_skin : deep;
+    sum.hu += hu;
+    ++sum.count;
   }
-  if (soft == 0) return {};
-  return sum <= constants.most_fat_hu * static_cast<double>(soft) ? TissueKind::fat
-                                                                  : TissueKind::muscle;
+  const Sum& sum = deep.count > 0 ? deep : near_skin;
+  if (sum.count == 0) return {};
+  const double mean = sum.hu / static_cast<double>(sum.count);
+  return mean <= constants.most_fat_hu ? TissueKind::fat : TissueKind::muscle;
+}
+
+constexpr int kSkinSteps = 20;
+
+/// Fat with 0, 1 … 20 twentieths of skin, then muscle with as many.
+std::vector<ElasticMaterial> mixtures(const TissueConstants& constants) {
+  std::vector<ElasticMaterial> kinds;
+  for (const ElasticMaterial& rest : {constants.fat, constants.muscle}) {
+    for (int step = 0; step <= kSkinSteps; ++step) {
+      const double skin = static_cast<double>(step) / kSkinSteps;
+      kinds.push_back({skin * constants.skin.young_MPa + (1 - skin) * rest.young_MPa,
+                       skin * constants.skin.poisson + (1 - skin) * rest.poisson});
+    }
+  }
+  return kinds;
 }
 
 }  // namespace
@@ -82,9 +106,12 @@ Eigen::VectorXd depths_below(const Points& points, const BspTree& skin) {
 TissueFromCt tissue_from_ct(const CtVolume& ct, const TetMesh& mesh,
                             const Eigen::VectorXd& node_depth, const TissueConstants& constants) {
   const Eigen::VectorXd volumes = tet_volumes(mesh);
-  std::vector<unsigned char> of_tet;
-  of_tet.reserve(static_cast<std::size_t>(mesh.tets.rows()));
   TissueFromCt result;
+  result.materials.kinds = mixtures(constants);
+  validate(result.materials, mesh.tets.rows());
+  const auto share = [&](TissueKind kind) -> TissueFromCt::Share& {
+    return result.share[static_cast<std::size_t>(kind)];
+  };
   for (Eigen::Index t = 0; t < mesh.tets.rows(); ++t) {
     Eigen::Matrix<double, 3, 4> corners;
     Eigen::Vector4d depths;
@@ -92,16 +119,17 @@ TissueFromCt tissue_from_ct(const CtVolume& ct, const TetMesh& mesh,
       corners.col(c) = mesh.vertices.row(mesh.tets(t, c));
       depths[c] = node_depth[mesh.tets(t, c)];
     }
-    const std::optional<TissueKind> found = kind_of(ct, corners, depths, constants);
-    if (!found) ++result.unclear;
-    const TissueKind kind = found.value_or(TissueKind::muscle);
-    of_tet.push_back(static_cast<unsigned char>(kind));
-    TissueFromCt::Share& share = result.share[static_cast<std::size_t>(kind)];
-    ++share.tets;
-    share.volume_mm3 += volumes[t];
+    const double skin = part_below(depths, constants.skin_mm);
+    const std::optional<TissueKind> found = kind_below_skin(ct, corners, depths, constants);
+    const TissueKind rest = found.value_or(TissueKind::muscle);
+    if (!found && skin < 0.5) ++result.unclear;
+    ++share(skin >= 0.5 ? TissueKind::skin : rest).tets;
+    share(TissueKind::skin).volume_mm3 += skin * volumes[t];
+    share(rest).volume_mm3 += (1 - skin) * volumes[t];
+    const auto step = static_cast<int>(std::lround(skin * kSkinSteps));
+    result.materials.of_tet.push_back(
+        static_cast<unsigned char>((rest == TissueKind::fat ? 0 : kSkinSteps + 1) + step));
   }
-  result.materials = TissueMaterials({constants.fat, constants.muscle, constants.skin}, of_tet);
-  validate(result.materials, mesh.tets.rows());
   return result;
 }
 

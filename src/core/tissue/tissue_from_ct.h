@@ -8,7 +8,7 @@
 
 namespace gnathion {
 
-/// What a tetrahedron of the face is taken to be made of.
+/// What the face is taken to be made of.
 enum class TissueKind : unsigned char { fat, muscle, skin };
 
 /// Constants from the literature; docs/tissue-constants.md names the sources and the spread. Where
@@ -26,12 +26,12 @@ struct TissueConstants {
 /// Materials of a mesh and what a report says of them.
 struct TissueFromCt {
   struct Share {
-    long tets = 0;
-    double volume_mm3 = 0;
+    long tets = 0;          ///< tets of which it is the largest part
+    double volume_mm3 = 0;  ///< of its parts of all tets
   };
-  TissueMaterials materials;     ///< kinds in the order of TissueKind
+  TissueMaterials materials;
   std::array<Share, 3> share{};  ///< in the order of TissueKind
-  long unclear = 0;  ///< tets that meet no soft tissue in the CT; they are counted as muscle
+  long unclear = 0;              ///< tets of no soft tissue in the CT, which are taken for muscle
 
   const Share& of(TissueKind kind) const { return share[static_cast<std::size_t>(kind)]; }
 };
@@ -40,11 +40,15 @@ struct TissueFromCt {
 /// Throws Error(anatomy) when the surface has no triangle.
 Eigen::VectorXd depths_below(const Points& points, const BspTree& skin);
 
-/// Skin, fat or muscle for each tet: skin where at least half of the tet lies within the skin's
-/// thickness of the outer surface; else by the mean HU of its part below the skin. Twenty points a
-/// tet are sampled. Points that are no soft tissue (below least_fat_hu: air takes part; above
-/// most_muscle_hu: bone takes part; outside the CT) are left out of the mean; a tet of nothing else
-/// becomes muscle and is counted as unclear.
+/// What each tet is made of. The part of it within the skin's thickness of the outer surface is
+/// skin; the rest is fat or muscle, by its mean HU. Tets are thicker than skin, so a choice between
+/// skin and not skin would lose most of the skin, or make it many times too thick; instead a tet
+/// has the mean of the constants of its skin and of its rest, weighted by volume (Voigt's mean:
+/// exact along the skin, where it counts, too stiff across it), in steps of a twentieth.
+///
+/// Twenty points a tet are sampled in the CT. Those that are no soft tissue (below least_fat_hu:
+/// air takes part; above most_muscle_hu: bone takes part; outside the CT) are left out of the mean,
+/// and so are those within a voxel of the skin, which blurs into them, where the tet has others.
 /// node_depth: n, mm below the outer surface at the mesh's nodes, linear between.
 /// Throws as validate(TissueMaterials).
 TissueFromCt tissue_from_ct(const CtVolume& ct, const TetMesh& mesh,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
 
 #include "geometry/tet_quality.h"
 #include "support/expect_error.h"
@@ -68,22 +69,32 @@ Eigen::Vector3d centre_of(const TetMesh& mesh, Eigen::Index t) {
   return mesh.vertices(mesh.tets.row(t), Eigen::all).colwise().mean();
 }
 
-TissueKind kind_of(const TissueFromCt& tissue, Eigen::Index t) {
-  return static_cast<TissueKind>(tissue.materials.of_tet[static_cast<std::size_t>(t)]);
+/// The modulus of a tet with this part of skin.
+double mixed_young(const ElasticMaterial& rest, double skin) {
+  return skin * TissueConstants().skin.young_MPa + (1 - skin) * rest.young_MPa;
+}
+
+/// A single tet of 6 mm² base, its apex below the others.
+TetMesh one_tet(double top = 0, double apex = -10) {
+  TetMesh mesh{Points(4, 3), Tets(1, 4)};
+  mesh.vertices << 0, 0, top, 0, 6, top, 6, 0, top, 2, 2, apex;
+  mesh.tets << 0, 1, 2, 3;
+  return mesh;
 }
 
 /// Tets nearer than `margin` mm to a border between tissues are not asked.
 void expect_layers(const CtVolume& ct, double margin, double volume_tolerance) {
   const TetMesh mesh = block(6, 12);
-  const TissueFromCt tissue = tissue_from_ct(ct, mesh, -mesh.vertices.col(2), skin_of(2));
+  const TissueConstants constants = skin_of(2);
+  const TissueFromCt tissue = tissue_from_ct(ct, mesh, -mesh.vertices.col(2), constants);
   ASSERT_EQ(static_cast<Eigen::Index>(tissue.materials.of_tet.size()), mesh.tets.rows());
   for (Eigen::Index t = 0; t < mesh.tets.rows(); ++t) {
     const double z = centre_of(mesh, t).z();
     if (std::abs(z + 7) < margin) continue;
-    const TissueKind truth = z > -2   ? TissueKind::skin
-                             : z > -7 ? TissueKind::fat
-                                      : TissueKind::muscle;
-    EXPECT_EQ(kind_of(tissue, t), truth) << "tet " << t << " at z " << z;
+    const ElasticMaterial& truth = z > -2   ? constants.skin
+                                   : z > -7 ? constants.fat
+                                            : constants.muscle;
+    EXPECT_DOUBLE_EQ(tissue.materials[t].young_MPa, truth.young_MPa) << t << " at z " << z;
   }
   EXPECT_NEAR(tissue.of(TissueKind::skin).volume_mm3, 36 * 2, 1e-9);
   EXPECT_NEAR(tissue.of(TissueKind::fat).volume_mm3, 36 * 5, volume_tolerance);
@@ -91,6 +102,7 @@ void expect_layers(const CtVolume& ct, double margin, double volume_tolerance) {
   long tets = 0;
   for (const TissueFromCt::Share& share : tissue.share) tets += share.tets;
   EXPECT_EQ(tets, mesh.tets.rows());
+  EXPECT_EQ(tissue.of(TissueKind::skin).tets, 6 * 36 * 2);
   EXPECT_EQ(tissue.unclear, 0);
 }
 
@@ -103,45 +115,63 @@ TEST(TissueFromCt, LayersAreFoundInNoise) {
   expect_layers(layered_ct(25), 0.4, 36 * 0.1);
 }
 
-TEST(TissueFromCt, ATetIsSkinWhereHalfOfItIs) {
-  // A tet from the surface to 10 mm below: the part above depth d is 1 − (1 − d/10)³; half of it
-  // at d = 2.06 mm.
-  TetMesh mesh{Points(4, 3), Tets(1, 4)};
-  mesh.vertices << 0, 0, 0, 0, 6, 0, 6, 0, 0, 2, 2, -10;
-  mesh.tets << 0, 1, 2, 3;
-  ASSERT_GT(tet_volumes(mesh)[0], 0);
-  const Eigen::VectorXd depth = -mesh.vertices.col(2);
-  const CtVolume ct = layered_ct();
-  EXPECT_EQ(kind_of(tissue_from_ct(ct, mesh, depth, skin_of(2.05)), 0), TissueKind::fat);
-  EXPECT_EQ(kind_of(tissue_from_ct(ct, mesh, depth, skin_of(2.07)), 0), TissueKind::skin);
+TEST(TissueFromCt, SkinThinnerThanATetIsMixedIn) {
+  // Of a tet from the surface to 10 mm below, 1 − (1 − d/10)³ is above depth d.
+  const TetMesh mesh = one_tet();
+  const double volume = tet_volumes(mesh)[0];
+  for (const double mm : {0.5, 1.5, 2.5}) {
+    const double skin = 1 - std::pow(1 - mm / 10, 3);
+    const TissueFromCt tissue =
+        tissue_from_ct(layered_ct(), mesh, -mesh.vertices.col(2), skin_of(mm));
+    EXPECT_NEAR(tissue.of(TissueKind::skin).volume_mm3, skin * volume, 1e-9);
+    EXPECT_NEAR(tissue.of(TissueKind::fat).volume_mm3, (1 - skin) * volume, 1e-9);
+    EXPECT_NEAR(tissue.materials[0].young_MPa, mixed_young(TissueConstants().fat, skin),
+                0.026 * TissueConstants().skin.young_MPa);
+    EXPECT_EQ(tissue.of(TissueKind::skin).tets, skin > 0.5);
+  }
 }
 
-TEST(TissueFromCt, HalfATetIsExactWhateverItsDepths) {
-  // The median depth of a tet by its volume, found by bisection on the classification, against
-  // evenly spread points.
+TEST(TissueFromCt, SkinHasItsVolumeAndStiffnessOnCoarseAndFineMeshes) {
+  for (const int tall : {1, 2, 5, 12}) {
+    TetMesh mesh = block(4, 12);
+    mesh.vertices.col(2) *= tall;  // mm an element
+    const TissueFromCt tissue =
+        tissue_from_ct(layered_ct(), mesh, -mesh.vertices.col(2), skin_of(1.5));
+    EXPECT_NEAR(tissue.of(TissueKind::skin).volume_mm3, 16 * 1.5, 1e-9) << tall;
+    // N/mm: the tension of the topmost elements per strain along the skin, without what is below
+    // it.
+    double tension = 0;
+    const Eigen::VectorXd volumes = tet_volumes(mesh);
+    for (Eigen::Index t = 0; t < mesh.tets.rows(); ++t) {
+      const double young = tissue.materials[t].young_MPa;
+      if (young > TissueConstants().muscle.young_MPa) tension += young * volumes[t] / 16;
+    }
+    const double below = TissueConstants().muscle.young_MPa * std::max(1, tall);
+    EXPECT_NEAR(tension, 1.5 * TissueConstants().skin.young_MPa, below) << tall;
+  }
+}
+
+TEST(TissueFromCt, PartOfATetIsExactWhateverItsDepths) {
   std::mt19937 random(11);
-  std::uniform_real_distribution<double> uniform(0, 1);
-  TetMesh mesh{Points(4, 3), Tets(1, 4)};
-  mesh.vertices << 0, 0, 0, 0, 6, 0, 6, 0, 0, 2, 2, -10;
-  mesh.tets << 0, 1, 2, 3;
+  std::exponential_distribution<double> exponential;  // normalised: evenly over the simplex
   const CtVolume ct = layered_ct();
+  const double volume = tet_volumes(one_tet())[0];
   for (const Eigen::Vector4d& depth :
        {Eigen::Vector4d(0, 0, 0, 4), Eigen::Vector4d(0, 0, 5, 5), Eigen::Vector4d(4, 1, 3, 0),
-        Eigen::Vector4d(2, 6, 6, 6), Eigen::Vector4d(0, 0.1, 7, 9)}) {
-    double low = 0, high = 10;
-    for (int round = 0; round < 40; ++round) {
-      const double middle = (low + high) / 2;
-      const TissueFromCt tissue = tissue_from_ct(ct, mesh, depth, skin_of(middle));
-      (kind_of(tissue, 0) == TissueKind::skin ? high : low) = middle;
+        Eigen::Vector4d(2, 6, 6, 6), Eigen::Vector4d(0, 0.1, 7, 9), Eigen::Vector4d(3, 3, 3, 3)}) {
+    for (const double mm : {0.05, 0.5, 2.0, 2.9, 3.5, 4.9, 8.0}) {
+      int inside = 0;
+      constexpr int kPoints = 40000;
+      for (int i = 0; i < kPoints; ++i) {
+        const Eigen::Vector4d w(exponential(random), exponential(random), exponential(random),
+                                exponential(random));
+        inside += depth.dot(w) <= mm * w.sum();
+      }
+      const TissueFromCt tissue = tissue_from_ct(ct, one_tet(), depth, skin_of(mm));
+      EXPECT_NEAR(tissue.of(TissueKind::skin).volume_mm3 / volume,
+                  static_cast<double>(inside) / kPoints, 0.01)
+          << depth.transpose() << ", skin " << mm;
     }
-    std::vector<double> depths(200001);
-    for (double& d : depths) {
-      Eigen::Vector4d w;
-      for (double& x : w) x = -std::log(1 - uniform(random));  // Dirichlet: uniform on the simplex
-      d = depth.dot(w) / w.sum();
-    }
-    std::nth_element(depths.begin(), depths.begin() + 100000, depths.end());
-    EXPECT_NEAR(high, depths[100000], 0.03) << depth.transpose();
   }
 }
 
@@ -151,16 +181,26 @@ TEST(TissueFromCt, BoneAndAirTakeNoPart) {
     return synthetic_ct({24, 24, 56}, grid({0.5, 0.5, 0.4}, {-2, -2, -20.2}),
                         [=](const Eigen::Vector3d& x) { return x.z() > -5 ? -100.0 : other; });
   };
-  TetMesh mesh{Points(4, 3), Tets(1, 4)};
-  mesh.vertices << 0, 0, -3, 0, 6, -3, 6, 0, -3, 2, 2, -12;
-  mesh.tets << 0, 1, 2, 3;
+  const TetMesh mesh = one_tet(-3, -12);
   const Eigen::VectorXd depth = -mesh.vertices.col(2);
   for (const double other : {900.0, -1000.0}) {
     const TissueFromCt tissue = tissue_from_ct(half(other), mesh, depth);
-    EXPECT_EQ(kind_of(tissue, 0), TissueKind::fat) << other;
+    EXPECT_EQ(tissue.of(TissueKind::fat).tets, 1) << other;
     EXPECT_EQ(tissue.unclear, 0);
   }
-  EXPECT_EQ(kind_of(tissue_from_ct(half(140), mesh, depth), 0), TissueKind::muscle);
+  EXPECT_EQ(tissue_from_ct(half(140), mesh, depth).of(TissueKind::muscle).tets, 1);
+}
+
+TEST(TissueFromCt, SkinThatBlursIntoFatDoesNotMakeItMuscle) {
+  // 90 HU at the surface fall to those of fat at 3.5 mm, as in a CT with slices of 2 mm.
+  const CtVolume ct = synthetic_ct(
+      {12, 12, 14}, grid({1, 1, 2}, {-2, -2, -24}),
+      [](const Eigen::Vector3d& x) { return 90 - 190 * std::clamp(-x.z() / 3.5, 0.0, 1.0); });
+  const TetMesh mesh = one_tet(0, -6);
+  EXPECT_EQ(tissue_from_ct(ct, mesh, -mesh.vertices.col(2)).of(TissueKind::muscle).volume_mm3, 0);
+  // A tet that has no part deeper is taken as it is.
+  const TetMesh thin = one_tet(0, -3.4);
+  EXPECT_GT(tissue_from_ct(ct, thin, -thin.vertices.col(2)).of(TissueKind::muscle).volume_mm3, 0);
 }
 
 TEST(TissueFromCt, WhatIsNoSoftTissueIsMuscleAndSaysSo) {
@@ -174,22 +214,18 @@ TEST(TissueFromCt, WhatIsNoSoftTissueIsMuscleAndSaysSo) {
   EXPECT_EQ(tissue.unclear, mesh.tets.rows());
 }
 
-TEST(TissueFromCt, MaterialsAreTheConstants) {
+TEST(TissueFromCt, ConstantsOfAllKindsAreUsed) {
   const TetMesh mesh = block(3, 12);
   TissueConstants constants = skin_of(2);
   constants.fat = {0.002, 0.48};
+  constants.muscle = {0.02, 0.3};
+  constants.skin = {0.5, 0.4};
   const TissueFromCt tissue = tissue_from_ct(layered_ct(), mesh, -mesh.vertices.col(2), constants);
-  ASSERT_EQ(tissue.materials.kinds.size(), 3u);
+  std::set<std::pair<double, double>> found;
   for (Eigen::Index t = 0; t < mesh.tets.rows(); ++t) {
-    const ElasticMaterial& found = tissue.materials[t];
-    const ElasticMaterial& expected = kind_of(tissue, t) == TissueKind::fat    ? constants.fat
-                                      : kind_of(tissue, t) == TissueKind::skin ? constants.skin
-                                                                               : constants.muscle;
-    EXPECT_EQ(found.young_MPa, expected.young_MPa);
-    EXPECT_EQ(found.poisson, expected.poisson);
+    found.emplace(tissue.materials[t].young_MPa, tissue.materials[t].poisson);
   }
-  EXPECT_LT(TissueConstants().fat.young_MPa, TissueConstants().muscle.young_MPa);
-  EXPECT_LT(TissueConstants().muscle.young_MPa, TissueConstants().skin.young_MPa);
+  EXPECT_EQ(found, (std::set<std::pair<double, double>>{{0.002, 0.48}, {0.02, 0.3}, {0.5, 0.4}}));
 }
 
 TEST(TissueFromCt, ConstantsOutOfRangeAreRefused) {

@@ -121,23 +121,14 @@ std::vector<int> column_of_nodes(const SoftTissueMesh& tissue) {
 }
 
 /// Takes a layer away at the vertices of inverted or too flat elements. Whether there were any.
-bool thin_out(const IntermediateMesh& region, const SoftTissueMesh& tissue, double growth,
+bool thin_out(const IntermediateMesh& region, const SoftTissueMesh& tissue,
               double smallest_volume_ratio, std::vector<int>& layers) {
-  const Eigen::VectorXd area = triangle_area_at_vertices(region.mesh);
   const std::vector<int> column = column_of_nodes(tissue);
   const Eigen::VectorXd volumes = tet_volumes(tissue.mesh);
-  Eigen::VectorXd flat(tissue.surface_count);  // mm³: of a tet in the thinnest layer
-  for (int v = 0; v < tissue.surface_count; ++v) {
-    const std::vector<double> parts = level_parts(tissue.layers(v), growth);
-    flat[v] = area[v] * tissue.depth[v] * (parts.empty() ? 1 : parts.front()) / 3;
-  }
+  const Eigen::VectorXd flat = flat_volumes(region, tissue);
   std::vector<bool> fewer(layers.size(), false);
   for (Eigen::Index t = 0; t < volumes.size(); ++t) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const int node : tissue.mesh.tets.row(t)) {
-      if (column[node] != -1) least = std::min(least, flat[column[node]]);
-    }
-    if (volumes[t] > smallest_volume_ratio * least) continue;
+    if (volumes[t] > smallest_volume_ratio * flat[t]) continue;
     for (const int node : tissue.mesh.tets.row(t)) {
       if (column[node] != -1) fewer[column[node]] = true;
     }
@@ -151,8 +142,7 @@ bool thin_out(const IntermediateMesh& region, const SoftTissueMesh& tissue, doub
   return any;
 }
 
-}  // namespace
-
+/// Mean area of each vertex's triangles, mm².
 Eigen::VectorXd triangle_area_at_vertices(const TriangleMesh& mesh) {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(mesh.vertices.rows());
   Eigen::VectorXd count = Eigen::VectorXd::Zero(mesh.vertices.rows());
@@ -166,6 +156,31 @@ Eigen::VectorXd triangle_area_at_vertices(const TriangleMesh& mesh) {
     }
   }
   return sum.cwiseQuotient(count);
+}
+
+}  // namespace
+
+Eigen::VectorXd flat_volumes(const IntermediateMesh& region, const SoftTissueMesh& tissue) {
+  const Points& x = tissue.mesh.vertices;
+  const Eigen::VectorXd area = triangle_area_at_vertices(region.mesh);
+  Eigen::VectorXd at_node(x.rows());
+  for (int v = 0; v < tissue.surface_count; ++v) {
+    const double flat = area[v] * (x.row(tissue.column_node(v, 1)) - x.row(v)).norm() / 3;
+    for (int level = 0; level <= tissue.layers(v); ++level) {
+      at_node[tissue.column_node(v, level)] = flat;
+    }
+  }
+  for (int f = 0; f < tissue.triangle_count; ++f) {
+    const auto t = region.mesh.triangles.row(f);
+    at_node[tissue.centre(f)] = std::min({at_node[t[0]], at_node[t[1]], at_node[t[2]]});
+  }
+  Eigen::VectorXd volumes(tissue.mesh.tets.rows());
+  for (Eigen::Index t = 0; t < volumes.size(); ++t) {
+    const auto nodes = tissue.mesh.tets.row(t);
+    volumes[t] =
+        std::min({at_node[nodes[0]], at_node[nodes[1]], at_node[nodes[2]], at_node[nodes[3]]});
+  }
+  return volumes;
 }
 
 void set_layers(const IntermediateMesh& region, const std::vector<int>& layers, double growth,
@@ -203,7 +218,7 @@ void add_layers(const IntermediateMesh& region, const LayerOptions& options,
   do {
     level_out(region.edges, layers);
     set_layers(region, layers, options.growth, tissue);
-  } while (thin_out(region, tissue, options.growth, smallest_volume_ratio, layers));
+  } while (thin_out(region, tissue, smallest_volume_ratio, layers));
 }
 
 }  // namespace gnathion

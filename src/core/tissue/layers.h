@@ -16,8 +16,9 @@ struct LayerOptions {
 /// The paper's single layer.
 inline constexpr LayerOptions kOneLayer{0, 1, 1};
 
-/// Mean area of each vertex's triangles, mm²: what a tet's volume is measured by.
-Eigen::VectorXd triangle_area_at_vertices(const TriangleMesh& mesh);
+/// For every tet, the volume that it has about where the surface is flat, mm³: a third of the
+/// thinnest layer and the smallest mean triangle at its vertices.
+Eigen::VectorXd flat_volumes(const IntermediateMesh& region, const SoftTissueMesh& tissue);
 
 /// Sets the mesh's columns and elements for these numbers of layers (M, ≥ 1): nodes between layers
 /// are placed on the straight line from the surface vertex to its inner vertex, each layer `growth`

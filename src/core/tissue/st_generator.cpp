@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "base/error.h"
-#include "geometry/tet_quality.h"
+#include "geometry/bsp_tree.h"
+#include "tissue/inner_surface.h"
+#include "tissue/untangle.h"
 
 namespace gnathion {
 namespace {
@@ -51,30 +53,6 @@ void place_centre_points(const IntermediateMesh& region, const Points& weights,
                               weights(i, 1) * P.row(tissue.inner(f[1])) +
                               weights(i, 2) * P.row(tissue.inner(f[2]));
   }
-}
-
-/// Whether a tet is one across an edge, (c_f, c_g, c, b): two centre points, no inner vertex.
-bool is_across_edge(const SoftTissueMesh& tissue, Eigen::Index t) {
-  return tissue.mesh.tets(t, 1) >= 2 * tissue.surface_count &&
-         tissue.mesh.tets.row(t).tail<2>().maxCoeff() < tissue.surface_count;
-}
-
-/// For each tet, the surface vertices whose depths shape it: those it has, on either side, and the
-/// triangle of a centre point.
-std::vector<int> shaping_vertices(const IntermediateMesh& region, const SoftTissueMesh& tissue,
-                                  Eigen::Index t) {
-  std::vector<int> vertices;
-  for (const int node : tissue.mesh.tets.row(t)) {
-    if (node < 2 * tissue.surface_count) {
-      vertices.push_back(node % tissue.surface_count);
-    } else {
-      const auto f = region.mesh.triangles.row(node - 2 * tissue.surface_count);
-      vertices.insert(vertices.end(), f.begin(), f.end());
-    }
-  }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  return vertices;
 }
 
 }  // namespace
@@ -173,69 +151,123 @@ Eigen::VectorXd limited_depths(const IntermediateMesh& region, const Points& dir
   return depth;
 }
 
-/// What is wrong with the tissue at a vertex.
-enum class Fault : unsigned char { none, tangled, too_thin };
-
-/// The faults at the vertices of inverted or too flat elements.
-std::vector<Fault> find_faults(const IntermediateMesh& region, const Eigen::VectorXd& area,
-                               const SoftTissueMesh& tissue, double smallest_volume_ratio) {
-  std::vector<Fault> faults(static_cast<std::size_t>(tissue.surface_count), Fault::none);
-  const Eigen::VectorXd volumes = tet_volumes(tissue.mesh);
-  for (Eigen::Index t = 0; t < volumes.size(); ++t) {
-    const std::vector<int> vertices = shaping_vertices(region, tissue, t);
-    double flat = std::numeric_limits<double>::infinity();
-    for (const int v : vertices) flat = std::min(flat, area[v] * tissue.depth[v] / 3);
-    if (volumes[t] > smallest_volume_ratio * flat) continue;
-    // Across a concave edge the centre points must lie below it: there the tissue is too thin.
-    // Elsewhere inner points have passed each other.
-    const Fault fault = is_across_edge(tissue, t) ? Fault::too_thin : Fault::tangled;
-    for (const int v : vertices) faults[v] = std::max(faults[v], fault);
+/// Marks the surface vertices whose depths shape some nodes: of a column, or of the triangle of a
+/// centre point.
+template <typename Nodes>
+void mark(const IntermediateMesh& region, const SoftTissueMesh& tissue, const Nodes& nodes,
+          std::vector<bool>& marked) {
+  for (const int node : nodes) {
+    if (node < 2 * tissue.surface_count) {
+      marked[node % tissue.surface_count] = true;
+      continue;
+    }
+    for (const int v : region.mesh.triangles.row(node - 2 * tissue.surface_count)) marked[v] = true;
   }
-  return faults;
 }
 
-/// The same faults, tangles also at the neighbours.
-std::vector<Fault> widened(const std::vector<Fault>& faults,
-                           const std::vector<std::vector<int>>& neighbours) {
-  std::vector<Fault> wide = faults;
-  for (std::size_t v = 0; v < faults.size(); ++v) {
-    if (faults[v] != Fault::tangled) continue;
-    for (const int w : neighbours[v]) wide[w] = std::max(wide[w], Fault::tangled);
+/// The vertices where the inner surface crosses itself or the skin.
+std::vector<bool> crossing_vertices(const IntermediateMesh& region, const SoftTissueMesh& tissue) {
+  std::vector<bool> marked(static_cast<std::size_t>(tissue.surface_count), false);
+  const Triangles inner = inner_surface(region, tissue);
+  const InnerSurfaceCrossings crossings = inner_surface_crossings(region, inner, tissue);
+  for (const auto& [i, j] : crossings.with_itself) {
+    mark(region, tissue, inner.row(i), marked);
+    mark(region, tissue, inner.row(j), marked);
+  }
+  for (const auto& [i, skin] : crossings.with_skin) mark(region, tissue, inner.row(i), marked);
+  return marked;
+}
+
+/// The flagged vertices and their neighbours.
+std::vector<bool> widened(const std::vector<bool>& flags,
+                          const std::vector<std::vector<int>>& neighbours) {
+  std::vector<bool> wide = flags;
+  for (std::size_t v = 0; v < flags.size(); ++v) {
+    if (!flags[v]) continue;
+    for (const int w : neighbours[v]) wide[w] = true;
   }
   return wide;
 }
 
-/// One round of repair: too thin tissue gets thicker, and where inner vertices have passed each
-/// other each goes half way to the middle of its neighbours and a little towards the surface.
-/// `most`: depth that no vertex exceeds, mm.
-void repair(const IntermediateMesh& region, const std::vector<std::vector<int>>& neighbours,
-            const std::vector<Fault>& faults, const Eigen::VectorXd& most, double shrink,
-            SoftTissueMesh& tissue) {
-  const auto inner = tissue.mesh.vertices.middleRows(tissue.surface_count, tissue.surface_count);
-  const Points before = inner;
+/// Makes the tissue at each vertex thinner by a factor. Centre points keep their places among the
+/// inner vertices, but come as much nearer to the middle of them.
+void thin(const IntermediateMesh& region, const Points& weights, const Eigen::VectorXd& factor,
+          SoftTissueMesh& tissue) {
+  Points& x = tissue.mesh.vertices;
+  const Points centres = x.bottomRows(tissue.triangle_count);
+  place_centre_points(region, weights, tissue);
+  Points offsets = centres - x.bottomRows(tissue.triangle_count);
   for (int v = 0; v < tissue.surface_count; ++v) {
-    if (faults[v] == Fault::none) continue;
-    const Eigen::RowVector3d surface = region.mesh.vertices.row(v);
-    Eigen::RowVector3d goal = before.row(v);
-    if (faults[v] == Fault::too_thin) {
-      // Only so far: tissue that a little more depth does not mend is tangled.
-      goal = surface + (goal - surface) * std::min(1 / shrink, most[v] / (goal - surface).norm());
-    } else {
-      Eigen::RowVector3d middle = Eigen::RowVector3d::Zero();
-      for (const int w : neighbours[v]) middle += before.row(w);
-      middle /= static_cast<double>(neighbours[v].size());
-      goal = surface + (1 + shrink) / 2 * ((goal + middle) / 2 - surface);
-    }
-    tissue.mesh.vertices.row(tissue.inner(v)) = goal;
-    tissue.depth[v] = (goal - surface).norm();
+    x.row(tissue.inner(v)) = x.row(v) + factor[v] * (x.row(tissue.inner(v)) - x.row(v));
   }
+  tissue.depth.array() *= factor.array();
+  for (int f = 0; f < tissue.triangle_count; ++f) {
+    offsets.row(f) *= factor(region.mesh.triangles.row(f)).minCoeff();
+  }
+  place_centre_points(region, weights, tissue);
+  x.bottomRows(tissue.triangle_count) += offsets;
 }
 
-[[noreturn]] void refuse_fold(const Eigen::RowVector3d& at) {
+/// The factors that bring the inner vertices of some columns before the middle between their own
+/// skin and the skin on the other side of a thin part of the face; 1 where there is none so near.
+Eigen::VectorXd before_the_middle(const IntermediateMesh& region, const std::vector<bool>& where,
+                                  const SoftTissueMesh& tissue) {
+  constexpr double kPart = 0.45;   // of the way across
+  constexpr double kStart = 0.02;  // of the depth: off the triangles of the vertex itself
+  const BspTree skin(region.mesh);
+  const Points normals = triangle_normals(region.mesh);
+  Eigen::VectorXd factor = Eigen::VectorXd::Ones(tissue.surface_count);
+  for (int v = 0; v < tissue.surface_count; ++v) {
+    if (!where[v]) continue;
+    const Eigen::Vector3d x = tissue.mesh.vertices.row(v);
+    const Eigen::Vector3d down = tissue.mesh.vertices.row(tissue.inner(v)).transpose() - x;
+    const double depth = down.norm();
+    const auto hit = skin.first_hit(x + kStart * down, down / depth, depth / kPart);
+    if (!hit || normals.row(hit->triangle).dot(down) <= 0) continue;
+    factor[v] = std::min(1.0, kPart * (hit->distance / depth + kStart));
+  }
+  return factor;
+}
+
+[[noreturn]] void refuse(const std::string& what, const Eigen::RowVector3d& at) {
   throw Error(ErrorKind::anatomy, "region",
               "the face is folded at LPS (" + std::to_string(at[0]) + ", " + std::to_string(at[1]) +
-                  ", " + std::to_string(at[2]) + ") mm, so that no tetrahedra fit below it",
+                  ", " + std::to_string(at[2]) + ") mm, so that " + what,
               "leave this place out of the region, or smooth the face there");
+}
+
+/// Moves and thins until the elements of the one layer are sound and lie nowhere twice.
+void mend(const IntermediateMesh& region, const Points& weights,
+          const std::vector<std::vector<int>>& neighbours, const RobustGeneratorOptions& options,
+          SoftTissueMesh& tissue) {
+  constexpr int kSweeps = 40;
+  constexpr int kWidenAfter = 12;  // rounds: a fault that lasts takes in its neighbourhood
+  bool came_before_the_middle = false;
+  for (int round = 0;; ++round) {
+    const std::vector<int> flat_tets =
+        untangle(options.smallest_volume_ratio * flat_volumes(region, tissue), kSweeps, tissue);
+    std::vector<bool> faulty(static_cast<std::size_t>(tissue.surface_count), false);
+    for (const int t : flat_tets) mark(region, tissue, tissue.mesh.tets.row(t), faulty);
+    if (flat_tets.empty()) faulty = crossing_vertices(region, tissue);
+    const auto place = std::find(faulty.begin(), faulty.end(), true);
+    if (place == faulty.end()) return;
+    if (round == options.mending_rounds) {
+      refuse(flat_tets.empty() ? "tissue below it would cross itself however thin"
+                               : "no tetrahedra fit below it",
+             region.mesh.vertices.row(place - faulty.begin()));
+    }
+    for (int ring = 0; ring < round / kWidenAfter; ++ring) faulty = widened(faulty, neighbours);
+    Eigen::VectorXd factor = Eigen::VectorXd::Ones(tissue.surface_count);
+    for (int v = 0; v < tissue.surface_count; ++v) {
+      if (faulty[v]) factor[v] = options.shrink;
+    }
+    // Tissue of a thin part need not be found by small steps from either side. Only once: a mesh
+    // that still crosses itself then does so for another reason.
+    if (flat_tets.empty() && !std::exchange(came_before_the_middle, true)) {
+      factor = factor.cwiseMin(before_the_middle(region, faulty, tissue));
+    }
+    thin(region, weights, factor, tissue);
+  }
 }
 
 }  // namespace
@@ -248,20 +280,8 @@ SoftTissueMesh st_generator(const IntermediateMesh& region, const Points& direct
   tissue.mesh.vertices.middleRows(tissue.surface_count, tissue.surface_count) =
       region.mesh.vertices + tissue.depth.asDiagonal() * directions;
   const Points weights = centre_weights(region.mesh);
-  const Eigen::VectorXd area = triangle_area_at_vertices(region.mesh);
-  const Eigen::VectorXd most = (1.5 * tissue.depth).cwiseMax(2 * mean_edge_length(region.mesh));
-  constexpr int kWidenAfter = 8;  // rounds: a tangle that lasts takes in its neighbourhood
-  for (int round = 0;; ++round) {
-    place_centre_points(region, weights, tissue);
-    std::vector<Fault> faults = find_faults(region, area, tissue, options.smallest_volume_ratio);
-    const auto worst = std::max_element(faults.begin(), faults.end());
-    if (*worst == Fault::none) break;
-    if (round == options.repair_rounds) {
-      refuse_fold(region.mesh.vertices.row(worst - faults.begin()));
-    }
-    for (int ring = 0; ring < round / kWidenAfter; ++ring) faults = widened(faults, neighbours);
-    repair(region, neighbours, faults, most, options.shrink, tissue);
-  }
+  place_centre_points(region, weights, tissue);
+  mend(region, weights, neighbours, options, tissue);
   add_layers(region, options.layers, options.smallest_volume_ratio, tissue);
   return tissue;
 }

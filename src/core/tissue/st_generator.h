@@ -20,8 +20,8 @@ SoftTissueMesh st_generator_paper(const IntermediateMesh& region, double depth,
 struct RobustGeneratorOptions {
   double focal_part = 0.6;  ///< of the depth where neighbouring offset lines meet
   double steepest = 1.0;    ///< change of depth per mm along the surface
-  double shrink = 0.85;     ///< factor on the depth, one round, where elements are inverted
-  int repair_rounds = 60;
+  double shrink = 0.85;     ///< factor on the depth, one round, where tissue does not fit
+  int mending_rounds = 40;
   double smallest_volume_ratio = 0.02;  ///< of a tet, against the volume it has on a flat patch
   LayerOptions layers = kOneLayer;
 };
@@ -34,11 +34,13 @@ Points offset_directions(const IntermediateMesh& region, double length);
 
 /// The robust generator: the paper's elements, but the inner vertex of J_i lies `depth[i]` along
 /// `directions` (so that it can lie on the bone), and the centre point is a weighted mean of the
-/// three inner vertices, which keeps the tissue's volume. Where elements would be inverted depths
-/// shrink, or grow across edges too concave for thin tissue, until none is:
-/// `SoftTissueMesh::depth` says what was used.
+/// three inner vertices, which keeps the tissue's volume. Where elements would be inverted or too
+/// flat, inner and centre points move (untangle); where the inner surface would cross itself or the
+/// skin anywhere, or elements stay faulty, depths shrink, until nothing does:
+/// `SoftTissueMesh::depth` says what was used. Then thick tissue is divided into layers.
 /// directions: M×3; depth: M, mm, > 0.
-/// Throws Error(anatomy) naming the place when the surface is folded so that no depth helps.
+/// Throws Error(anatomy) naming the place when the surface is folded so that no depth helps,
+/// or crosses itself.
 SoftTissueMesh st_generator(const IntermediateMesh& region, const Points& directions,
                             const Eigen::VectorXd& depth,
                             const RobustGeneratorOptions& options = {});

@@ -58,9 +58,12 @@ void draw(const Anatomy& anatomy, const Prediction& prediction, const fs::path& 
   const auto stage = progress.stage("pictures");
   FaceScene scene;
   scene.set_face(anatomy.face.mesh, anatomy.face.document.path().filename().string());
-  scene.set_bone("skull", anatomy.cut.remainder, skull_look);
-  scene.set_bone("segment", anatomy.cut.segment, segment_look);
-  scene.set_bone_pose("segment", prediction.motion);
+  scene.set_bone("skull", anatomy.remainder, skull_look);
+  for (std::size_t s = 0; s < anatomy.segments.size(); ++s) {
+    const std::string name = "segment " + anatomy.segments[s].name;
+    scene.set_bone(name, anatomy.segments[s].mesh, segment_look);
+    scene.set_bone_pose(name, prediction.motions[s]);
+  }
   write_comparison(scene, anatomy.face.mesh.surface.vertices, prediction.face_points,
                    prediction.signed_distance, folder);
 }
@@ -69,9 +72,12 @@ void print_summary(const Prediction& prediction, const FaceModel& model, std::os
   out << std::fixed << std::setprecision(2) << "face moves: mean " << prediction.displacement.mean
       << " mm, 95th percentile " << prediction.displacement.p95 << " mm, largest "
       << prediction.displacement.max << " mm (vertices of the region)\n"
-      << "model: " << model.problem().tissue.mesh.tets.rows()
-      << " linear tetrahedra, relative residual " << std::scientific << std::setprecision(1)
-      << prediction.relative_residual << std::fixed << '\n';
+      << "model: " << model.problem().tissue.mesh.tets.rows() << " tetrahedra, relative residual "
+      << std::scientific << std::setprecision(1) << prediction.relative_residual << std::fixed
+      << std::setprecision(2) << '\n'
+      << "chosen: " << prediction.answer.why << '\n'
+      << "the face shown while dragging differs by " << prediction.quick_mm
+      << " mm on 95 % of the region\n";
   for (const auto& [name, response] : prediction.landmarks) {
     out << "  " << std::left << std::setw(20) << name << std::right << std::setprecision(2)
         << std::setw(7) << response.displacement.norm() << " mm, " << std::setw(5) << response.ratio
@@ -79,8 +85,8 @@ void print_summary(const Prediction& prediction, const FaceModel& model, std::os
   }
   if (prediction.inverted_after > 0) {
     out << "warning: " << prediction.inverted_after
-        << " tetrahedra are turned inside out by this motion; it is too large for the linear "
-           "model\n";
+        << " tetrahedra are turned inside out by this motion; it is too large for the model that "
+           "the case asks for\n";
   }
 }
 
@@ -101,13 +107,15 @@ void demo_case_verb(unsigned seed, const fs::path& target, std::ostream& out, Pr
 
 void check_verb(const fs::path& case_file, std::ostream& out) {
   const SurgicalCase plan = read_case_file(case_file);
-  const JawMotion& m = plan.motion;
   out << "case " << (plan.name.empty() ? "(no name)" : plan.name) << '\n'
-      << "  face: " << (plan.photograph ? "photograph" : "skin of the CT") << '\n'
-      << "  motion: forward " << m.forward_mm << " mm, up " << m.up_mm << " mm, left " << m.left_mm
-      << " mm, pitch " << m.pitch_deg << " deg, roll " << m.roll_deg << " deg, yaw " << m.yaw_deg
-      << " deg\n"
-      << "the case file is well formed\n";
+      << "  face: " << (plan.photograph ? "photograph" : "skin of the CT") << '\n';
+  for (const PlannedSegment& segment : plan.segments) {
+    const JawMotion& m = segment.motion;
+    out << "  " << segment.name << ": forward " << m.forward_mm << " mm, up " << m.up_mm
+        << " mm, left " << m.left_mm << " mm, pitch " << m.pitch_deg << " deg, roll " << m.roll_deg
+        << " deg, yaw " << m.yaw_deg << " deg\n";
+  }
+  out << "the case file is well formed\n";
 }
 
 void surfaces_verb(const fs::path& case_file, const fs::path& target, std::ostream& out,
@@ -122,9 +130,14 @@ void surfaces_verb(const fs::path& case_file, const fs::path& target, std::ostre
 void segment_verb(const fs::path& case_file, const fs::path& target, std::ostream& out,
                   Progress& progress) {
   write_step(case_file, target, out, progress, [&out](const Step& step) {
-    write_ply(step.anatomy.cut.segment, step.folder / "segment.ply");
-    write_ply(step.anatomy.cut.remainder, step.folder / "remainder.ply");
-    out << "segment: " << step.anatomy.cut.volume_mm3 / 1000 << " ml\n";
+    write_ply(step.anatomy.remainder, step.folder / "remainder.ply");
+    const std::vector<BoneSegment>& segments = step.anatomy.segments;
+    for (std::size_t s = 0; s < segments.size(); ++s) {
+      // A name may hold what a file's name must not.
+      const std::string number = segments.size() > 1 ? "-" + std::to_string(s + 1) : "";
+      write_ply(segments[s].mesh, step.folder / ("segment" + number + ".ply"));
+      out << segments[s].name << ": " << segments[s].volume_mm3 / 1000 << " ml\n";
+    }
   });
 }
 
@@ -148,9 +161,9 @@ void mesh_verb(const fs::path& case_file, const fs::path& target, std::ostream& 
     const TetMesh& mesh = problem.tissue.mesh;
     write_vtu(mesh, {}, step.folder / "tissue.vtu");
     if (model.load == LoadModel::displacement) {
-      const Points prescribed =
-          moved(mesh.vertices, rigid_motion(step.plan.motion, step.anatomy.pivot)) - mesh.vertices;
-      write_calculix_deck({mesh, model.material, problem.supports, prescribed},
+      const Points prescribed = bone_displacements(mesh.vertices, problem.supports,
+                                                   planned_motions(step.plan, step.anatomy));
+      write_calculix_deck({mesh, problem.materials, problem.supports, prescribed},
                           step.folder / "tissue.inp");
     }
     out << mesh.tets.rows() << " tetrahedra\n";
@@ -169,7 +182,7 @@ void predict_verb(const fs::path& case_file, const fs::path& target, bool pictur
     const auto stage = progress.stage("export");
     anatomy.face.document.write(folder.path(), "predicted.obj",
                                 anatomy.face.file_vertices(prediction.face_points));
-    write_vtu(model.problem().tissue.mesh, model.tissue_displacements(prediction.motion),
+    write_vtu(model.problem().tissue.mesh, prediction.answer.displacements,
               folder.path() / "tissue.vtu");
   }
   write_text_file(folder.path() / "report.json",

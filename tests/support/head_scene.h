@@ -19,10 +19,11 @@ inline const Eigen::Vector3d head_cheek_bone(35, -50, 0);  ///< fixed bone, on t
 /// A head of balls in LPS mm: skin of 80 mm radius about the origin, a ball of moving bone 10 mm
 /// below its front, one of fixed bone 7 mm below the skin to the left of it, and a deep skull.
 inline Anatomy head_scene() {
-  Anatomy head{{}, {}, face_of(sphere({0, 0, 0}, 80, 5)), head_segment_at, {}};
-  head.cut.segment = sphere(head_segment_at, 12, 3);
-  head.cut.remainder = joined(sphere({0, 0, 0}, 40, 3), sphere(head_cheek_bone, 12, 3));
-  head.bone = joined(head.cut.segment, head.cut.remainder);
+  Anatomy head;
+  head.face = face_of(sphere({0, 0, 0}, 80, 5));
+  head.segments = {{"chin", sphere(head_segment_at, 12, 3), 0, head_segment_at}};
+  head.remainder = joined(sphere({0, 0, 0}, 40, 3), sphere(head_cheek_bone, 12, 3));
+  head.bone = joined(head.segments[0].mesh, head.remainder);
   return head;
 }
 

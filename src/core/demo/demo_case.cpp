@@ -17,8 +17,9 @@ void write_demo_case(unsigned seed, const std::filesystem::path& target, Progres
   plan.ct.path = folder.path() / "ct";
   plan.photograph =
       PhotographSource{folder.path() / "photograph" / "face.obj", truth.lps_from_photograph};
-  plan.cut = box_between(truth.mandible_box_min, truth.mandible_box_max);
-  plan.motion.forward_mm = 6;
+  plan.segments.resize(1);
+  plan.segments[0].cut = box_between(truth.mandible_box_min, truth.mandible_box_max);
+  plan.segments[0].motion.forward_mm = 6;
   for (const char* name :
        {"pogonion_soft", "menton_soft", "mentolabial_fold", "lower_lip", "stomion", "upper_lip",
         "mouth_corner_left", "mouth_corner_right", "subnasale", "nose_tip"}) {

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -66,7 +68,6 @@ BoundedCut read_cut(JsonReader segment) {
     plate.finish();
     cut = blade;
   }
-  segment.finish();
   return cut;
 }
 
@@ -86,11 +87,10 @@ Similarity read_transform(JsonReader object) {
 }
 
 /// Whitespace-separated vertex numbers.
-std::vector<int> read_vertices(const fs::path& path) {
+std::vector<int> read_vertices(const fs::path& path, const std::string& key) {
   std::ifstream stream(path);
   if (!stream) {
-    throw Error(ErrorKind::input, path.string(), "the file cannot be opened",
-                "check region.vertices_file");
+    throw Error(ErrorKind::input, path.string(), "the file cannot be opened", "check " + key);
   }
   std::vector<int> vertices;
   for (std::string word; stream >> word;) {
@@ -106,29 +106,70 @@ std::vector<int> read_vertices(const fs::path& path) {
   }
   if (vertices.empty()) {
     throw Error(ErrorKind::input, path.string(), "the file names no vertex",
-                "give vertex numbers of the face, or leave region.vertices_file out");
+                "give vertex numbers of the face, or leave " + key + " out");
   }
   return vertices;
 }
 
-TissueModel read_tissue(JsonReader object) {
+/// Names of an enumeration's values, in a case file.
+template <typename T>
+using Names = std::vector<std::pair<const char*, T>>;
+
+template <typename T>
+std::string name_of(const Names<T>& names, T value) {
+  const auto found = std::find_if(names.begin(), names.end(),
+                                  [value](const auto& name) { return name.second == value; });
+  return found->first;
+}
+
+const Names<Generator> kGenerators{{"robust", Generator::robust}, {"paper", Generator::paper}};
+const Names<LoadModel> kLoads{{"displacement", LoadModel::displacement},
+                              {"force", LoadModel::force}};
+const Names<TissueKinds> kKinds{{"homogeneous", TissueKinds::homogeneous},
+                                {"ct", TissueKinds::from_ct}};
+const Names<Elements> kElements{{"auto", Elements::automatic},
+                                {"linear", Elements::linear},
+                                {"quadratic", Elements::quadratic}};
+const Names<Strain> kStrains{
+    {"auto", Strain::automatic}, {"small", Strain::small}, {"large", Strain::large}};
+
+template <typename T>
+void read_choice(JsonReader& object, const std::string& key, const Names<T>& names, T& value) {
+  std::string text = name_of(names, value), known;
+  object.read(key, text);
+  for (const auto& [name, choice] : names) {
+    if (text == name) value = choice;
+    known += (known.empty() ? "" : " or ") + std::string(name);
+  }
+  if (name_of(names, value) != text) {
+    object.refuse(key, "\"" + text + "\" is not known", "give " + known);
+  }
+}
+
+void read_not_negative(JsonReader& object, const std::string& key, double& value) {
+  object.read(key, value);
+  if (!std::isfinite(value) || value < 0) {
+    object.refuse(key, "it is below 0", "give 0 or a positive number");
+  }
+}
+
+TissueModel read_tissue(JsonReader object, const fs::path& case_file) {
   TissueModel tissue;
-  std::string generator = "robust", load = "displacement";
-  object.read("generator", generator);
-  object.read("load", load);
-  if (generator != "robust" && generator != "paper") {
-    object.refuse("generator", "\"" + generator + "\" is not known", "give robust or paper");
-  }
-  if (load != "displacement" && load != "force") {
-    object.refuse("load", "\"" + load + "\" is not known", "give displacement or force");
-  }
-  tissue.generator = generator == "paper" ? Generator::paper : Generator::robust;
-  tissue.load = load == "force" ? LoadModel::force : LoadModel::displacement;
+  read_choice(object, "generator", kGenerators, tissue.generator);
+  read_choice(object, "load", kLoads, tissue.load);
+  read_choice(object, "kinds", kKinds, tissue.kinds);
+  read_choice(object, "elements", kElements, tissue.elements);
+  read_choice(object, "strain", kStrains, tissue.strain);
   read_positive(object, "depth_mm", tissue.depth_mm);
   read_positive(object, "bone_reach_mm", tissue.bone_reach_mm);
-  object.read("released_mm", tissue.released_mm);
-  if (!std::isfinite(tissue.released_mm) || tissue.released_mm < 0) {
-    object.refuse("released_mm", "it is below 0", "give 0 or a positive number");
+  read_positive(object, "tolerance_mm", tissue.tolerance_mm);
+  read_not_negative(object, "edge_mm", tissue.edge_mm);
+  read_not_negative(object, "layer_edges", tissue.layer_edges);
+  read_not_negative(object, "released_mm", tissue.released_mm);
+  object.read("slides_on_teeth", tissue.slides_on_teeth);
+  if (object.has("sliding_file")) {
+    tissue.sliding_vertices = read_vertices(
+        beside(case_file, object.required_string("sliding_file")), "tissue.sliding_file");
   }
   object.read("young_MPa", tissue.material.young_MPa);
   object.read("poisson", tissue.material.poisson);
@@ -142,15 +183,48 @@ TissueModel read_tissue(JsonReader object) {
   return tissue;
 }
 
-void read_motion(JsonReader object, SurgicalCase& plan) {
-  object.read("forward_mm", plan.motion.forward_mm);
-  object.read("up_mm", plan.motion.up_mm);
-  object.read("left_mm", plan.motion.left_mm);
-  object.read("pitch_deg", plan.motion.pitch_deg);
-  object.read("roll_deg", plan.motion.roll_deg);
-  object.read("yaw_deg", plan.motion.yaw_deg);
-  if (object.has("pivot")) plan.pivot = object.required_vector("pivot");
+constexpr std::array<std::pair<const char*, double JawMotion::*>, 6> kMotionKeys{
+    {{"forward_mm", &JawMotion::forward_mm},
+     {"up_mm", &JawMotion::up_mm},
+     {"left_mm", &JawMotion::left_mm},
+     {"pitch_deg", &JawMotion::pitch_deg},
+     {"roll_deg", &JawMotion::roll_deg},
+     {"yaw_deg", &JawMotion::yaw_deg}}};
+
+void read_motion(JsonReader object, PlannedSegment& segment) {
+  for (const auto& [key, member] : kMotionKeys) object.read(key, segment.motion.*member);
+  if (object.has("pivot")) segment.pivot = object.required_vector("pivot");
   object.finish();
+}
+
+/// Either "segment" and "motion" of the only one, or a list "segments", each with a name and its
+/// motion.
+std::vector<PlannedSegment> read_segments(JsonReader& root) {
+  std::vector<PlannedSegment> segments;
+  if (!root.has("segments")) {
+    PlannedSegment only;
+    JsonReader object = root.required_object("segment");
+    only.cut = read_cut(object);
+    object.finish();
+    read_motion(root.object("motion"), only);
+    return {only};
+  }
+  if (root.has("segment") || root.has("motion")) {
+    root.refuse("segments", "the case also has \"segment\" or \"motion\"",
+                "give either the list, or the one segment and its motion");
+  }
+  for (JsonReader& object : root.required_objects("segments")) {
+    PlannedSegment segment;
+    segment.name = object.required_string("name");
+    const bool known = std::any_of(segments.begin(), segments.end(),
+                                   [&](const auto& s) { return s.name == segment.name; });
+    if (known) object.refuse("name", "another segment has it", "give each segment its own name");
+    segment.cut = read_cut(object);
+    read_motion(object.object("motion"), segment);
+    object.finish();
+    segments.push_back(segment);
+  }
+  return segments;
 }
 
 }  // namespace
@@ -183,7 +257,7 @@ SurgicalCase read_case_file(const fs::path& path) {
   read_positive(skin, "edge_mm", plan.skin.edge_mm);
   skin.finish();
 
-  plan.cut = read_cut(root.required_object("segment"));
+  plan.segments = read_segments(root);
   if (root.has("photograph")) {
     JsonReader photograph = root.object("photograph");
     PhotographSource source;
@@ -195,11 +269,11 @@ SurgicalCase read_case_file(const fs::path& path) {
   JsonReader region = root.object("region");
   read_positive(region, "reach_mm", plan.region.reach_mm);
   if (region.has("vertices_file")) {
-    plan.region.vertices = read_vertices(beside(path, region.required_string("vertices_file")));
+    plan.region.vertices = read_vertices(beside(path, region.required_string("vertices_file")),
+                                         "region.vertices_file");
   }
   region.finish();
-  plan.tissue = read_tissue(root.object("tissue"));
-  read_motion(root.object("motion"), plan);
+  plan.tissue = read_tissue(root.object("tissue"), path);
   JsonReader landmarks = root.object("landmarks");
   for (const std::string& name : landmarks.keys()) {
     plan.landmarks[name] = landmarks.required_vector(name);
@@ -225,7 +299,7 @@ std::string path_json(const fs::path& target, const fs::path& case_file) {
   return within ? relative.string() : fs::absolute(target).lexically_normal().string();
 }
 
-json segment_json(const BoundedCut& cut) {
+json cut_json(const BoundedCut& cut) {
   if (const auto* box = std::get_if<BoxCut>(&cut)) {
     if (!box->axes.isIdentity(1e-12)) {
       throw Error(ErrorKind::case_file, "segment.box",
@@ -255,12 +329,52 @@ json transform_json(const Similarity& transform) {
           {"translation_mm", vector_json(transform.translation)}};
 }
 
-json motion_json(const SurgicalCase& plan) {
-  json motion{{"forward_mm", plan.motion.forward_mm}, {"up_mm", plan.motion.up_mm},
-              {"left_mm", plan.motion.left_mm},       {"pitch_deg", plan.motion.pitch_deg},
-              {"roll_deg", plan.motion.roll_deg},     {"yaw_deg", plan.motion.yaw_deg}};
-  if (plan.pivot) motion["pivot"] = vector_json(*plan.pivot);
+json motion_json(const PlannedSegment& segment) {
+  json motion = json::object();
+  for (const auto& [key, member] : kMotionKeys) motion[key] = segment.motion.*member;
+  if (segment.pivot) motion["pivot"] = vector_json(*segment.pivot);
   return motion;
+}
+
+void add_segments(const std::vector<PlannedSegment>& segments, json& root) {
+  if (segments.size() == 1) {
+    root["segment"] = cut_json(segments[0].cut);
+    root["motion"] = motion_json(segments[0]);
+    return;
+  }
+  for (const PlannedSegment& segment : segments) {
+    json object = cut_json(segment.cut);
+    object["name"] = segment.name;
+    object["motion"] = motion_json(segment);
+    root["segments"].push_back(object);
+  }
+}
+
+json tissue_json(const TissueModel& tissue) {
+  return {{"generator", name_of(kGenerators, tissue.generator)},
+          {"depth_mm", tissue.depth_mm},
+          {"bone_reach_mm", tissue.bone_reach_mm},
+          {"edge_mm", tissue.edge_mm},
+          {"layer_edges", tissue.layer_edges},
+          {"released_mm", tissue.released_mm},
+          {"slides_on_teeth", tissue.slides_on_teeth},
+          {"young_MPa", tissue.material.young_MPa},
+          {"poisson", tissue.material.poisson},
+          {"kinds", name_of(kKinds, tissue.kinds)},
+          {"load", name_of(kLoads, tissue.load)},
+          {"elements", name_of(kElements, tissue.elements)},
+          {"strain", name_of(kStrains, tissue.strain)},
+          {"tolerance_mm", tissue.tolerance_mm}};
+}
+
+/// Writes vertex numbers beside the case file; returns the name of the file.
+std::string write_vertices(const std::vector<int>& vertices, const fs::path& case_file,
+                           const char* extension) {
+  const fs::path file = fs::path(case_file).replace_extension(extension);
+  std::string numbers;
+  for (const int v : vertices) numbers += std::to_string(v) + "\n";
+  write_text_file(file, numbers);
+  return file.filename().string();
 }
 
 }  // namespace
@@ -273,27 +387,20 @@ void write_case_file(const SurgicalCase& plan, const fs::path& path) {
   if (plan.skin.crop) root["ct"]["crop"] = box_json(*plan.skin.crop);
   root["bone"] = {{"hu", plan.bone.hu}, {"smallest_piece_mm3", plan.bone.minimum_component_volume}};
   root["skin"] = {{"hu", plan.skin.hu}, {"edge_mm", plan.skin.edge_mm}};
-  root["segment"] = segment_json(plan.cut);
+  add_segments(plan.segments, root);
   if (plan.photograph) {
     root["photograph"] = {{"obj", path_json(plan.photograph->obj, path)},
                           {"transform", transform_json(plan.photograph->lps_from_photograph)}};
   }
   root["region"] = {{"reach_mm", plan.region.reach_mm}};
   if (!plan.region.vertices.empty()) {
-    const fs::path vertices_file = fs::path(path).replace_extension(".region.txt");
-    std::string numbers;
-    for (const int v : plan.region.vertices) numbers += std::to_string(v) + "\n";
-    write_text_file(vertices_file, numbers);
-    root["region"]["vertices_file"] = vertices_file.filename().string();
+    root["region"]["vertices_file"] = write_vertices(plan.region.vertices, path, ".region.txt");
   }
-  root["tissue"] = {{"generator", plan.tissue.generator == Generator::paper ? "paper" : "robust"},
-                    {"depth_mm", plan.tissue.depth_mm},
-                    {"bone_reach_mm", plan.tissue.bone_reach_mm},
-                    {"released_mm", plan.tissue.released_mm},
-                    {"young_MPa", plan.tissue.material.young_MPa},
-                    {"poisson", plan.tissue.material.poisson},
-                    {"load", plan.tissue.load == LoadModel::force ? "force" : "displacement"}};
-  root["motion"] = motion_json(plan);
+  root["tissue"] = tissue_json(plan.tissue);
+  if (!plan.tissue.sliding_vertices.empty()) {
+    root["tissue"]["sliding_file"] =
+        write_vertices(plan.tissue.sliding_vertices, path, ".sliding.txt");
+  }
   root["landmarks"] = json::object();
   for (const auto& [name, place] : plan.landmarks) root["landmarks"][name] = vector_json(place);
   std::string text;

@@ -94,6 +94,24 @@ JsonReader JsonReader::required_object(const std::string& key) {
   return object(key);
 }
 
+std::vector<JsonReader> JsonReader::required_objects(const std::string& key) {
+  const json* found = implementation_->find(key);
+  if (found == nullptr || !found->is_array() || found->empty()) {
+    refuse(key, "it is no list of objects", "give [{ … }, { … }]");
+  }
+  std::vector<JsonReader> objects;
+  for (std::size_t i = 0; i < found->size(); ++i) {
+    const std::string place = key + "[" + std::to_string(i) + "]";
+    if (!(*found)[i].is_object()) refuse(place, "it is no object", "give an object { … }");
+    auto child = std::make_shared<Implementation>();
+    child->file = implementation_->file;
+    child->path = implementation_->path + place + ".";
+    child->value = (*found)[i];
+    objects.push_back(JsonReader(child));
+  }
+  return objects;
+}
+
 void JsonReader::read(const std::string& key, double& value) {
   const json* found = implementation_->find(key);
   if (found == nullptr) return;

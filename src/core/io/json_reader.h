@@ -21,6 +21,8 @@ class JsonReader {
   JsonReader object(const std::string& key);
   /// These throw when the key is absent, and when a text is empty.
   JsonReader required_object(const std::string& key);
+  /// The objects of a list of at least one.
+  std::vector<JsonReader> required_objects(const std::string& key);
 
   void read(const std::string& key, double& value);
   void read(const std::string& key, std::string& value);

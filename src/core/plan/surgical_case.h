@@ -34,15 +34,53 @@ enum class LoadModel {
   force,         ///< the paper's force transfer (eq. 4)
 };
 
+
+/// What the tissue is made of.
+enum class TissueKinds {
+  homogeneous,  ///< TissueModel::material everywhere
+  from_ct,      ///< skin, fat and muscle by the CT's Hounsfield units
+};
+/// The elements of the prediction.
+enum class Elements {
+  automatic,  ///< linear ones where they keep the tolerance
+  linear,
+  quadratic,
+};
+/// The law of the tissue.
+enum class Strain {
+  automatic,  ///< small where that keeps the tolerance
+  small,      ///< Hooke's law, Cauchy strain: linear in the motion
+  large,      ///< neo-Hookean
+};
+
 struct TissueModel {
   Generator generator = Generator::robust;
   double depth_mm = 8;        ///< d of the ST Generator; robust: where no bone is near
   double bone_reach_mm = 20;  ///< threshold of the bone map
+  /// Of the mesh that deforms, mm. 0: chosen; a face finer than that is remeshed to it.
+  double edge_mm = 0;
+  /// Of a layer of elements, in edges of the surface above it. 0: one layer, however thick.
+  double layer_edges = 0;
   /// Bone nearer than this to the bone across the cut does not hold the tissue: there the surgeon
   /// lifts it off, and lips rest on teeth without being attached to them.
   double released_mm = 10;
+  /// Whether tissue over teeth and gums slides on them instead of following them.
+  bool slides_on_teeth = true;
+  std::vector<int> sliding_vertices;  ///< of the face: below these it slides, too, on any bone
   ElasticMaterial material;
+  TissueKinds kinds = TissueKinds::homogeneous;
   LoadModel load = LoadModel::displacement;
+  Elements elements = Elements::automatic;
+  Strain strain = Strain::automatic;
+  double tolerance_mm = 0.5;  ///< of the face, 95 % of it, for what is automatic
+};
+
+/// A piece of bone that is cut off and moved.
+struct PlannedSegment {
+  std::string name = "segment";  ///< unique in the case
+  BoundedCut cut;                ///< of what the segments before it have left
+  JawMotion motion;
+  std::optional<Eigen::Vector3d> pivot;  ///< LPS mm; none: the segment's centre of volume
 };
 
 /// Everything that a prediction is made from: the content of a case file. Paths are absolute or
@@ -52,12 +90,10 @@ struct SurgicalCase {
   CtSource ct;
   BoneSurfaceOptions bone;
   SkinSurfaceOptions skin;
-  BoundedCut cut;
+  std::vector<PlannedSegment> segments;        ///< at least one
   std::optional<PhotographSource> photograph;  ///< none: the CT's skin is the face
   RegionChoice region;
   TissueModel tissue;
-  JawMotion motion;
-  std::optional<Eigen::Vector3d> pivot;  ///< LPS mm; none: the segment's centre of volume
   std::map<std::string, Eigen::Vector3d> landmarks;  ///< on the face, LPS mm
 };
 

@@ -52,6 +52,36 @@ Face photograph_face(const PhotographSource& source) {
   return face;
 }
 
+std::vector<Eigen::Vector3d> Anatomy::pivots() const {
+  std::vector<Eigen::Vector3d> points;
+  for (const BoneSegment& segment : segments) points.push_back(segment.pivot);
+  return points;
+}
+
+std::vector<RigidMotion> planned_motions(const SurgicalCase& plan, const Anatomy& anatomy) {
+  std::vector<RigidMotion> motions;
+  for (std::size_t s = 0; s < anatomy.segments.size(); ++s) {
+    motions.push_back(rigid_motion(plan.segments[s].motion, anatomy.segments[s].pivot));
+  }
+  return motions;
+}
+
+namespace {
+
+/// Cuts the segments one after the other, each from what the ones before have left.
+void cut_segments(const std::vector<PlannedSegment>& planned, Anatomy& anatomy,
+                  Progress& progress) {
+  anatomy.remainder = anatomy.bone;
+  for (const PlannedSegment& plan : planned) {
+    SegmentResult cut = cut_segment(anatomy.remainder, plan.cut, {}, progress);
+    const Eigen::Vector3d pivot = plan.pivot.value_or(centre_of_volume(cut.segment));
+    anatomy.segments.push_back({plan.name, std::move(cut.segment), cut.volume_mm3, pivot});
+    anatomy.remainder = std::move(cut.remainder);
+  }
+}
+
+}  // namespace
+
 Anatomy build_anatomy(const SurgicalCase& plan, Progress& progress) {
   // The photograph first: it is read in a moment, and a mistake in it should not cost a CT.
   std::optional<Face> face;
@@ -59,19 +89,20 @@ Anatomy build_anatomy(const SurgicalCase& plan, Progress& progress) {
     const auto stage = progress.stage("read photograph");
     face = photograph_face(*plan.photograph);
   }
-  const CtVolume ct = read_ct(plan.ct.path, plan.ct.series_uid, progress);
+  const auto ct =
+      std::make_shared<const CtVolume>(read_ct(plan.ct.path, plan.ct.series_uid, progress));
   std::future<std::string> hash =
       std::async(std::launch::async, [&] { return sha256_of(plan.ct.path); });
   // Skin and bone do not depend on each other. The future's destructor waits for its thread.
   std::future<TriangleMesh> skin;
   if (!face) {
-    skin = std::async(std::launch::async, [&] { return skin_surface(ct, plan.skin, progress); });
+    skin = std::async(std::launch::async, [&] { return skin_surface(*ct, plan.skin, progress); });
   }
-  TriangleMesh bone = bone_surface(ct, plan.bone, progress);
-  SegmentResult cut = cut_segment(bone, plan.cut, {}, progress);
-  if (!face) face = skin_face(skin.get());
-  const Eigen::Vector3d pivot = plan.pivot.value_or(centre_of_volume(cut.segment));
-  return {std::move(bone), std::move(cut), std::move(*face), pivot, hash.get()};
+  Anatomy anatomy{ct, bone_surface(*ct, plan.bone, progress), {}, {}, {}, {}};
+  cut_segments(plan.segments, anatomy, progress);
+  anatomy.face = face ? std::move(*face) : skin_face(skin.get());
+  anatomy.ct_sha256 = hash.get();
+  return anatomy;
 }
 
 }  // namespace gnathion

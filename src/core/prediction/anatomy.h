@@ -1,5 +1,10 @@
 #pragma once
 
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "imaging/ct_volume.h"
 #include "io/obj_document.h"
 #include "plan/surgical_case.h"
 
@@ -17,14 +22,28 @@ struct Face {
   Points file_vertices(const Points& points) const;
 };
 
-/// What a plan is made on: bone, the segment cut from it, and the face, in LPS mm.
-struct Anatomy {
-  TriangleMesh bone;
-  SegmentResult cut;
-  Face face;
-  Eigen::Vector3d pivot;  ///< about which the segment turns: the plan's, or its centre of volume
-  std::string ct_sha256;  ///< of the file or folder that was read
+/// A piece of bone that was cut off and moves.
+struct BoneSegment {
+  std::string name;
+  TriangleMesh mesh;  ///< closed, outward
+  double volume_mm3 = 0;
+  Eigen::Vector3d pivot;  ///< about which it turns: the plan's, or its centre of volume
 };
+
+/// What a plan is made on: bone, the segments cut from it, and the face, in LPS mm.
+struct Anatomy {
+  std::shared_ptr<const CtVolume> ct;
+  TriangleMesh bone;                  ///< before any cut
+  std::vector<BoneSegment> segments;  ///< in the plan's order
+  TriangleMesh remainder;             ///< bone that does not move
+  Face face;
+  std::string ct_sha256;  ///< of the file or folder that was read
+
+  std::vector<Eigen::Vector3d> pivots() const;
+};
+
+/// The plan's motions of the segments, LPS mm.
+std::vector<RigidMotion> planned_motions(const SurgicalCase& plan, const Anatomy& anatomy);
 
 /// The face alone. Throws Error(input) as ObjDocument::read, and when the face in LPS is smaller
 /// than 60 mm or larger than 1500 mm: then its unit is another.

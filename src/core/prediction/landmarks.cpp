@@ -7,8 +7,10 @@
 namespace gnathion {
 
 FaceLandmarks::FaceLandmarks(const std::map<std::string, Eigen::Vector3d>& places,
-                             const TriangleMesh& face) {
+                             const TriangleMesh& face, std::span<const BoneSegment> segments) {
   if (places.empty()) return;
+  std::vector<BspTree> bones;
+  for (const BoneSegment& segment : segments) bones.emplace_back(segment.mesh);
   const BspTree tree(face);
   for (const auto& [name, place] : places) {
     const auto nearest = tree.nearest(place, 1e6);
@@ -29,12 +31,19 @@ FaceLandmarks::FaceLandmarks(const std::map<std::string, Eigen::Vector3d>& place
       const Eigen::Vector3d a = corners.col((k + 1) % 3), b = corners.col((k + 2) % 3);
       anchor.weight[k] = (a - anchor.point).cross(b - anchor.point).dot(n) / n.squaredNorm();
     }
+    double reach = 1e6;
+    for (std::size_t b = 0; b < bones.size(); ++b) {
+      const auto bone = bones[b].nearest(anchor.point, reach);
+      if (!bone) continue;
+      reach = bone->distance;
+      anchor.segment = static_cast<int>(b);
+    }
     anchors_.emplace(name, anchor);
   }
 }
 
-std::map<std::string, LandmarkResponse> FaceLandmarks::responses(const Points& points,
-                                                                 const RigidMotion& motion) const {
+std::map<std::string, LandmarkResponse> FaceLandmarks::responses(
+    const Points& points, std::span<const RigidMotion> motions) const {
   std::map<std::string, LandmarkResponse> responses;
   for (const auto& [name, anchor] : anchors_) {
     LandmarkResponse response;
@@ -43,7 +52,7 @@ std::map<std::string, LandmarkResponse> FaceLandmarks::responses(const Points& p
       const Eigen::Vector3d u = (points.row(anchor.vertex[k]) - anchor.rest.row(k)).transpose();
       response.displacement += anchor.weight[k] * u;
     }
-    const Eigen::Vector3d bone = motion(anchor.point) - anchor.point;
+    const Eigen::Vector3d bone = motions[anchor.segment](anchor.point) - anchor.point;
     response.bone_mm = bone.norm();
     if (response.bone_mm > 0) {
       response.ratio = response.displacement.dot(bone) / bone.squaredNorm();

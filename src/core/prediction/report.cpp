@@ -2,7 +2,9 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "geometry/tet_quality.h"
 #include "io/files.h"
@@ -19,8 +21,6 @@ json statistics_json(const DistanceStatistics& s) {
 json sizes_json(const Anatomy& anatomy, const FaceModel& model) {
   const TissueProblem& problem = model.problem();
   return {{"bone_triangles", anatomy.bone.triangles.rows()},
-          {"segment_triangles", anatomy.cut.segment.triangles.rows()},
-          {"segment_volume_mm3", anatomy.cut.volume_mm3},
           {"face_vertices", anatomy.face.mesh.surface.vertices.rows()},
           {"face_triangles", anatomy.face.mesh.surface.triangles.rows()},
           {"region_vertices", problem.region.mesh.vertices.rows()},
@@ -35,6 +35,7 @@ json sizes_json(const Anatomy& anatomy, const FaceModel& model) {
           {"free_nodes", model.solver().free_part().nodes().size()},
           {"nodes_on_segment", problem.attached_count},
           {"nodes_on_other_bone", problem.on_skull_count},
+          {"nodes_sliding_on_bone", problem.sliding_count},
           {"nodes_released_at_the_cut", problem.released_count},
           {"forced_points", problem.forced.size()}};
 }
@@ -51,29 +52,65 @@ json quality_json(const SoftTissueMesh& tissue) {
           {"thickness_mm",
            {{"min", tissue.depth.minCoeff()},
             {"mean", tissue.depth.mean()},
-            {"max", tissue.depth.maxCoeff()}}}};
+            {"max", tissue.depth.maxCoeff()}}},
+          {"layers_max", [&] {
+             int most = 1;
+             for (int v = 0; v < tissue.surface_count; ++v) most = std::max(most, tissue.layers(v));
+             return most;
+           }()}};
 }
 
-json model_json(const TissueModel& tissue) {
-  return {{"elements", "linear tetrahedra, Cauchy strain, static"},
-          {"generator", tissue.generator == Generator::paper ? "paper" : "robust"},
-          {"load", tissue.load == LoadModel::force ? "force transfer" : "displacement transfer"},
-          {"young_MPa", tissue.material.young_MPa},
-          {"poisson", tissue.material.poisson},
-          {"depth_mm", tissue.depth_mm},
-          {"bone_reach_mm", tissue.bone_reach_mm},
-          {"released_mm", tissue.released_mm}};
+json model_json(const TissueModel& tissue, const TissueProblem& problem, const Answer& answer) {
+  json model{{"strain", answer.large_strain ? "large, neo-Hookean" : "small, Hooke"},
+             {"elements",
+              answer.order == ElementOrder::linear ? "linear tetrahedra" : "quadratic tetrahedra"},
+             {"chosen_because", answer.why},
+             {"tolerance_mm", tissue.tolerance_mm},
+             {"generator", tissue.generator == Generator::paper ? "paper" : "robust"},
+             {"load", tissue.load == LoadModel::force ? "force transfer" : "displacement transfer"},
+             {"young_MPa", tissue.material.young_MPa},
+             {"poisson", tissue.material.poisson},
+             {"depth_mm", tissue.depth_mm},
+             {"bone_reach_mm", tissue.bone_reach_mm},
+             {"released_mm", tissue.released_mm},
+             {"slides_on_teeth", tissue.slides_on_teeth}};
+  if (answer.large_strain) {
+    model["neo_hookean_residual"] = answer.neo_hookean_residual;
+    model["load_steps"] = answer.load_steps;
+  }
+  if (tissue.kinds == TissueKinds::from_ct) {
+    for (const auto& [name, kind] : {std::pair{"fat_mm3", TissueKind::fat},
+                                     {"muscle_mm3", TissueKind::muscle},
+                                     {"skin_mm3", TissueKind::skin}}) {
+      model["tissue_from_ct"][name] = problem.share[static_cast<std::size_t>(kind)].volume_mm3;
+    }
+  }
+  return model;
 }
 
-json motion_json(const SurgicalCase& plan, const Anatomy& anatomy) {
-  const JawMotion& m = plan.motion;
-  return {{"forward_mm", m.forward_mm},
-          {"up_mm", m.up_mm},
-          {"left_mm", m.left_mm},
-          {"pitch_deg", m.pitch_deg},
-          {"roll_deg", m.roll_deg},
-          {"yaw_deg", m.yaw_deg},
-          {"pivot_lps_mm", {anatomy.pivot[0], anatomy.pivot[1], anatomy.pivot[2]}}};
+json error_json(const FaceError& error) {
+  return {{"elements", statistics_json(distance_statistics(error.discretisation))},
+          {"small_strain", statistics_json(distance_statistics(error.linearisation))},
+          {"both", statistics_json(error.total)}};
+}
+
+json segments_json(const SurgicalCase& plan, const Anatomy& anatomy) {
+  json segments = json::array();
+  for (std::size_t s = 0; s < anatomy.segments.size(); ++s) {
+    const JawMotion& m = plan.segments[s].motion;
+    const BoneSegment& segment = anatomy.segments[s];
+    segments.push_back({{"name", segment.name},
+                        {"volume_mm3", segment.volume_mm3},
+                        {"triangles", segment.mesh.triangles.rows()},
+                        {"forward_mm", m.forward_mm},
+                        {"up_mm", m.up_mm},
+                        {"left_mm", m.left_mm},
+                        {"pitch_deg", m.pitch_deg},
+                        {"roll_deg", m.roll_deg},
+                        {"yaw_deg", m.yaw_deg},
+                        {"pivot_lps_mm", {segment.pivot[0], segment.pivot[1], segment.pivot[2]}}});
+  }
+  return segments;
 }
 
 json landmarks_json(const Prediction& prediction) {
@@ -104,26 +141,33 @@ Prediction make_prediction(const SurgicalCase& plan, const Anatomy& anatomy, con
   const auto stage = progress.stage("predict and check");
   const TriangleMesh& face = anatomy.face.mesh.surface;
   Prediction prediction;
-  prediction.motion = rigid_motion(plan.motion, anatomy.pivot);
-  model.predict(prediction.motion, prediction.face_points);
-  const Points u = prediction.face_points - face.vertices;
-
-  const StaticSolution direct = model.solve(prediction.motion);
+  prediction.motions = planned_motions(plan, anatomy);
+  const StaticSolution direct = model.solve(prediction.motions);
   prediction.relative_residual = direct.relative_residual;
-  const Points from_basis = model.tissue_displacements(prediction.motion);
+  const Points from_basis = model.tissue_displacements(prediction.motions);
   const double size = direct.displacements.norm();
-  if (size > 0) prediction.basis_error = (from_basis - direct.displacements).norm() / size;
+  if (size > 0 && model.order() == ElementOrder::linear) {
+    prediction.basis_error = (from_basis - direct.displacements).norm() / size;
+  }
+  prediction.answer = choose_answer(model, plan.tissue, prediction.motions, progress);
+  prediction.face_points = model.face_with(prediction.answer.displacements);
+  Points quick;
+  model.predict(prediction.motions, quick);
+  const Points u = prediction.face_points - face.vertices;
   TetMesh deformed = model.problem().tissue.mesh;
-  deformed.vertices += from_basis;
+  deformed.vertices += prediction.answer.displacements;
   prediction.inverted_after = (tet_volumes(deformed).array() <= 0).count();
 
   const std::vector<int>& moving = model.moving_vertices();
+  prediction.quick_mm =
+      distance_statistics((quick - prediction.face_points)(moving, Eigen::all).rowwise().norm())
+          .p95;
   prediction.displacement = distance_statistics(u(moving, Eigen::all).rowwise().norm());
   prediction.signed_distance = Eigen::VectorXd::Zero(face.vertices.rows());
   prediction.signed_distance(moving) =
       signed_distances(prediction.face_points(moving, Eigen::all), face);
-  prediction.landmarks =
-      FaceLandmarks(plan.landmarks, face).responses(prediction.face_points, prediction.motion);
+  prediction.landmarks = FaceLandmarks(plan.landmarks, face, anatomy.segments)
+                             .responses(prediction.face_points, prediction.motions);
   return prediction;
 }
 
@@ -146,8 +190,11 @@ std::string report_json(const SurgicalCase& plan, const Anatomy& anatomy, const 
       {"use", "research only; not a medical device"},
       {"inputs", inputs_json(anatomy)},
       {"face", anatomy.face.is_photograph ? "photograph" : "skin of the CT"},
-      {"motion", motion_json(plan, anatomy)},
-      {"model", model_json(plan.tissue)},
+      {"segments", segments_json(plan, anatomy)},
+      {"model", model_json(plan.tissue, model.problem(), prediction.answer)},
+      {"estimated_error_mm", error_json(prediction.answer.error)},
+      {"estimated_error_while_dragging_mm", error_json(prediction.answer.quick_error)},
+      {"face_while_dragging_differs_by_mm", prediction.quick_mm},
       {"sizes", sizes_json(anatomy, model)},
       {"element_quality", quality_json(model.problem().tissue)},
       {"displacement_mm", statistics_json(prediction.displacement)},

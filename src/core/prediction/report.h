@@ -4,25 +4,28 @@
 
 #include "base/progress.h"
 #include "geometry/surface_distance.h"
-#include "prediction/face_model.h"
+#include "prediction/answer.h"
 #include "prediction/landmarks.h"
 
 namespace gnathion {
 
 /// A prediction and what can be said of it.
 struct Prediction {
-  RigidMotion motion;
-  Points face_points;               ///< n×3, mm, LPS
+  std::vector<RigidMotion> motions;  ///< of the segments
+  Answer answer;                     ///< the model that was chosen, and its estimated error
+  Points face_points;                ///< n×3, mm, LPS
+  double quick_mm = 0;  ///< by which the face shown while dragging differs: 95 % of the region
   Eigen::VectorXd signed_distance;  ///< n, mm, predicted face to the face before; + is bulge
   DistanceStatistics displacement;  ///< of the vertices of the region
-  double relative_residual = 0;     ///< of the direct solve
+  double relative_residual = 0;     ///< of the direct solve on linear elements
   double basis_error = 0;   ///< ‖u_basis − u_direct‖ / ‖u_direct‖, 0 without motion
   long inverted_after = 0;  ///< tets turned inside out by the motion
   std::map<std::string, LandmarkResponse> landmarks;
 };
 
-/// Predicts the face for a case's motion, checks it by a direct solve and measures it.
-/// Throws as FaceModel.
+/// Predicts the face for the motions of a case's segments with the model that the case asks for or
+/// that keeps its tolerance, checks it by a direct solve and measures it.
+/// Throws as choose_answer.
 Prediction make_prediction(const SurgicalCase& plan, const Anatomy& anatomy, const FaceModel& model,
                            Progress& progress);
 

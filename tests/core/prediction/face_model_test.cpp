@@ -32,9 +32,14 @@ const Points& head_skin() {
   return skin;
 }
 
+/// Of the head's only segment.
+std::array<RigidMotion, 1> motions(const JawMotion& motion) {
+  return {rigid_motion(motion, test::head_segment_at)};
+}
+
 Points predicted(const FaceModel& model, const JawMotion& motion) {
   Points points;
-  model.predict(rigid_motion(motion, test::head_segment_at), points);
+  model.predict(motions(motion), points);
   return points;
 }
 
@@ -73,8 +78,8 @@ TEST(FaceModel, OnlyTheRegionMovesAndItsRimDoesNot) {
 }
 
 TEST(FaceModel, EqualsTheDirectSolve) {
-  const RigidMotion motion =
-      rigid_motion({6, -2, 3, 5, -4, 7}, test::head_segment_at + Vector3d(1, 2, 3));
+  const std::array motion{
+      rigid_motion({6, -2, 3, 5, -4, 7}, test::head_segment_at + Vector3d(1, 2, 3))};
   const StaticSolution direct = head_model().solve(motion);
   EXPECT_LT(direct.relative_residual, 1e-10);
   const double size = direct.displacements.norm();
@@ -117,7 +122,7 @@ TEST(TissueProblem, HoldsTheTissueWhereTheBoneIs) {
     for (const int v : problem.region.mesh.triangles.row(link.triangle)) linked[v] = true;
   }
   int attached = 0, on_segment = 0, fixed_on_skull = 0;
-  const BspTree segment(test::head_scene().cut.segment), skull(test::head_scene().cut.remainder);
+  const BspTree segment(test::head_scene().segments[0].mesh), skull(test::head_scene().remainder);
   for (int v = 0; v < problem.tissue.surface_count; ++v) {
     const Vector3d inner = problem.tissue.mesh.vertices.row(problem.tissue.inner(v));
     const Support support = problem.supports[problem.tissue.inner(v)];
@@ -224,7 +229,7 @@ TEST_F(ForceTransfer, PushesTheFaceAlongTheMotion) {
 }
 
 TEST_F(ForceTransfer, EqualsTheDirectSolve) {
-  const RigidMotion motion = rigid_motion({4, 1, 2, 0, 0, 0}, test::head_segment_at);
+  const auto motion = motions({4, 1, 2, 0, 0, 0});
   const Points direct = model_.solve(motion).displacements;
   EXPECT_LT((model_.tissue_displacements(motion) - direct).norm(), 1e-12 * direct.norm());
 }
@@ -233,16 +238,18 @@ TEST_F(ForceTransfer, RefusesRotations) {
   expect_error(ErrorKind::case_file, {"tissue.load", "displacement"},
                [&] { predicted(model_, {.pitch_deg = 1}); });
   expect_error(ErrorKind::case_file, {"tissue.load"},
-               [&] { model_.solve(rigid_motion({.pitch_deg = 1}, test::head_segment_at)); });
+               [&] { model_.solve(motions({.pitch_deg = 1})); });
 }
 
 /// A patch of skin over a block of bone, all of it the region.
 Anatomy patch_scene(const TriangleMesh& skin, double depth) {
   const Eigen::RowVector3d middle = skin.vertices.colwise().mean();
-  Anatomy patch{{}, {}, test::face_of(skin), middle.transpose(), {}};
-  patch.cut.segment =
-      test::box(middle.transpose() - Vector3d(0, 0, depth + 5), Vector3d(12, 12, 5), 8);
-  patch.cut.remainder = test::sphere(middle.transpose() - Vector3d(0, 0, 200), 5, 2);
+  Anatomy patch;
+  patch.face = test::face_of(skin);
+  patch.segments = {
+      {"block", test::box(middle.transpose() - Vector3d(0, 0, depth + 5), Vector3d(12, 12, 5), 8),
+       0, middle.transpose()}};
+  patch.remainder = test::sphere(middle.transpose() - Vector3d(0, 0, 200), 5, 2);
   return patch;
 }
 
@@ -261,7 +268,7 @@ TEST(PaperGenerator, PredictsOnAFlatPatchAndRefusesAHardOneWithTheCount) {
   const TriangleMesh flat = testing::flat_disk(676, 100, 2.2);
   const FaceModel good(patch_scene(flat, 5), all_of(flat), model, progress);
   Points points;
-  good.predict({Eigen::Matrix3d::Identity(), Vector3d(0, 0, 3)}, points);
+  good.predict(std::array{RigidMotion{Eigen::Matrix3d::Identity(), Vector3d(0, 0, 3)}}, points);
   EXPECT_GT((points - flat.vertices).col(2).maxCoeff(), 2);
 
   const TriangleMesh hard = testing::hard_patch(1, 0);

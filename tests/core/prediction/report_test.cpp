@@ -20,7 +20,8 @@ class Report : public ::testing::Test {
     plan_.name = "Mustermann Erika";
     plan_.ct.path = folder_.write("abc.mha", "abc");
     plan_.region.reach_mm = 40;
-    plan_.motion.forward_mm = 5;
+    plan_.segments.resize(1);
+    plan_.segments[0].motion.forward_mm = 5;
     plan_.landmarks = {{"chin", test::head_chin + Vector3d(0, -2, 0)},
                        {"over cheek bone", 80 * test::head_cheek_bone.normalized()},
                        {"nape", Vector3d(0, 80, 0)}};
@@ -49,7 +50,7 @@ TEST_F(Report, LandmarksSayHowTheFaceFollowsTheBone) {
 }
 
 TEST_F(Report, WithoutMotionNothingMovesAndNoRatioIsSaid) {
-  plan_.motion = {};
+  plan_.segments[0].motion = {};
   const Prediction still = make_prediction(plan_, head_, *model_, progress_);
   EXPECT_EQ(still.face_points, head_.face.mesh.surface.vertices);
   EXPECT_EQ(still.displacement.max, 0);
@@ -76,14 +77,14 @@ TEST_F(Report, TellsSizesHashesAndVersionsButNoPathAndNoName) {
   head.ct_sha256 = "ba7816bf";
   const std::string text = report_json(plan_, head, *model_, prediction_, progress_);
   const json report = json::parse(text);
-  for (const char* key :
-       {"gnathion_report", "program", "frame", "use", "inputs", "face", "motion", "model", "sizes",
-        "element_quality", "displacement_mm", "signed_distance_mm", "landmarks",
-        "relative_residual", "basis_against_direct_solve", "seconds", "peak_memory_MiB"}) {
+  for (const char* key : {"gnathion_report", "program", "frame", "use", "inputs", "face",
+                          "segments", "model", "estimated_error_mm", "sizes", "element_quality",
+                          "displacement_mm", "signed_distance_mm", "landmarks", "relative_residual",
+                          "basis_against_direct_solve", "seconds", "peak_memory_MiB"}) {
     EXPECT_TRUE(report.contains(key)) << key;
   }
   EXPECT_EQ(report["inputs"]["ct_sha256"], "ba7816bf");
-  EXPECT_EQ(report["motion"]["forward_mm"], 5);
+  EXPECT_EQ(report["segments"][0]["forward_mm"], 5);
   EXPECT_EQ(report["sizes"]["tets"], model_->problem().tissue.mesh.tets.rows());
   EXPECT_EQ(report["element_quality"]["inverted"], 0);
   EXPECT_GT(report["landmarks"]["chin"]["moved_forward_mm"], 3);

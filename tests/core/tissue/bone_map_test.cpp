@@ -98,7 +98,7 @@ class BoneBelowSheets : public ::testing::Test {
 
   BoneBelow below(const TriangleMesh& segment, const TriangleMesh& skull,
                   const BoneBelowOptions& options = {}) const {
-    return bone_below(skin_, down_, BspTree(segment), BspTree(skull), {}, options);
+    return bone_below(skin_, down_, std::array{BspTree(segment)}, BspTree(skull), {}, options);
   }
   bool over(Eigen::Index v, double x) const {
     return std::abs(skin_.mesh.vertices(v, 0) - x) < 9.99 &&
@@ -112,10 +112,10 @@ TEST_F(BoneBelowSheets, DepthsAreExactOverParallelBone) {
   for (Eigen::Index v = 0; v < down_.rows(); ++v) {
     if (over(v, 0)) {
       ++found;
-      EXPECT_EQ(result.bone[v], Underlying::segment);
+      EXPECT_EQ(result.bone[v], 0);
       EXPECT_NEAR(result.depth[v], 6.25, 1e-9);
     } else if (!over(v, 0) && skin_.mesh.vertices.row(v).norm() > 15) {
-      EXPECT_EQ(result.bone[v], Underlying::none);
+      EXPECT_EQ(result.bone[v], kNoBone);
     }
   }
   EXPECT_GT(found, 80);
@@ -142,8 +142,8 @@ TEST_F(BoneBelowSheets, TheNearerOfSegmentAndSkullWins) {
   const BoneBelow segment_near = below(block(5), block(8)), skull_near = below(block(8), block(5));
   for (Eigen::Index v = 0; v < down_.rows(); ++v) {
     if (!over(v, 0)) continue;
-    EXPECT_EQ(segment_near.bone[v], Underlying::segment);
-    EXPECT_EQ(skull_near.bone[v], Underlying::skull);
+    EXPECT_EQ(segment_near.bone[v], 0);
+    EXPECT_EQ(skull_near.bone[v], Support::kUnmoved);
     EXPECT_NEAR(segment_near.depth[v], 5, 1e-9);
     EXPECT_NEAR(skull_near.depth[v], 5, 1e-9);
   }
@@ -154,10 +154,10 @@ TEST_F(BoneBelowSheets, EachHoldsWhatLiesAboveIt) {
   int on_segment = 0, on_skull = 0;
   for (Eigen::Index v = 0; v < down_.rows(); ++v) {
     const double x = skin_.mesh.vertices(v, 0);
-    on_segment += result.bone[v] == Underlying::segment;
-    on_skull += result.bone[v] == Underlying::skull;
-    if (result.bone[v] != Underlying::none) {
-      EXPECT_EQ(result.bone[v] == Underlying::segment, x < 0) << x;
+    on_segment += result.bone[v] == 0;
+    on_skull += result.bone[v] == Support::kUnmoved;
+    if (result.bone[v] != kNoBone) {
+      EXPECT_EQ(result.bone[v] == 0, x < 0) << x;
     }
   }
   EXPECT_GT(on_segment, 80);
@@ -166,14 +166,14 @@ TEST_F(BoneBelowSheets, EachHoldsWhatLiesAboveIt) {
 
 TEST_F(BoneBelowSheets, BoneBeyondTheThresholdIsNotBelow) {
   const BoneBelow result = below(block(20.5), block(25));
-  EXPECT_EQ(std::count(result.bone.begin(), result.bone.end(), Underlying::none), down_.rows());
+  EXPECT_EQ(std::count(result.bone.begin(), result.bone.end(), kNoBone), down_.rows());
   EXPECT_EQ(result.depth.minCoeff(), 8);
   EXPECT_EQ(result.depth.maxCoeff(), 8);
 }
 
 TEST_F(BoneBelowSheets, BoneAtTheSkinDoesNotHoldIt) {
   const BoneBelow result = below(block(0.4), far_away_);
-  EXPECT_EQ(std::count(result.bone.begin(), result.bone.end(), Underlying::none), down_.rows());
+  EXPECT_EQ(std::count(result.bone.begin(), result.bone.end(), kNoBone), down_.rows());
   EXPECT_GE(result.depth.minCoeff(), 1);
 }
 
@@ -183,13 +183,13 @@ TEST_F(BoneBelowSheets, AVertexThatALinkMeetsTakesTheLinksLengthWhereItsOwnRayMi
   link.distance = 11;
   BoneLink longer = link;
   longer.distance = 13;
-  const BoneBelow result = bone_below(skin_, down_, BspTree(far_away_), BspTree(far_away_),
+  const BoneBelow result = bone_below(skin_, down_, std::array{BspTree(far_away_)}, BspTree(far_away_),
                                       {link, longer}, BoneBelowOptions{});
   for (const int v : skin_.mesh.triangles.row(500)) {
-    EXPECT_EQ(result.bone[v], Underlying::segment);
+    EXPECT_EQ(result.bone[v], 0);
     EXPECT_NEAR(result.depth[v], 12, 1e-12);
   }
-  EXPECT_EQ(std::count(result.bone.begin(), result.bone.end(), Underlying::segment), 3);
+  EXPECT_EQ(std::count(result.bone.begin(), result.bone.end(), 0), 3);
 }
 
 }  // namespace

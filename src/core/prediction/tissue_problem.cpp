@@ -1,0 +1,320 @@
+#include "prediction/tissue_problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "base/error.h"
+#include "geometry/tet_quality.h"
+#include "tissue/bone_normals.h"
+#include "tissue/teeth.h"
+
+namespace gnathion {
+namespace {
+
+/// The bones of an anatomy, to be asked for nearest points and hits.
+struct Bones {
+  std::vector<BspTree> segments;
+  BspTree skull;
+  BspTree all_segments;
+
+  const BspTree& tree(int bone) const { return bone == Support::kUnmoved ? skull : segments[bone]; }
+  /// Whether a bone other than this one is within `reach` mm of x.
+  bool is_near_another(int bone, const Eigen::Vector3d& x, double reach) const {
+    for (int other = Support::kUnmoved; other < static_cast<int>(segments.size()); ++other) {
+      if (other != bone && tree(other).nearest(x, reach)) return true;
+    }
+    return false;
+  }
+};
+
+TriangleMesh joined_segments(const Anatomy& anatomy) {
+  TriangleMesh all;
+  for (const BoneSegment& segment : anatomy.segments) {
+    const Eigen::Index n = all.vertices.rows(), m = all.triangles.rows();
+    all.vertices.conservativeResize(n + segment.mesh.vertices.rows(), 3);
+    all.vertices.bottomRows(segment.mesh.vertices.rows()) = segment.mesh.vertices;
+    all.triangles.conservativeResize(m + segment.mesh.triangles.rows(), 3);
+    all.triangles.bottomRows(segment.mesh.triangles.rows()) =
+        segment.mesh.triangles.array() + static_cast<int>(n);
+  }
+  return all;
+}
+
+Bones search_trees(const Anatomy& anatomy, Progress& progress) {
+  const auto stage = progress.stage("search trees");
+  Bones bones{{}, BspTree(anatomy.remainder), BspTree(joined_segments(anatomy))};
+  for (const BoneSegment& segment : anatomy.segments) bones.segments.emplace_back(segment.mesh);
+  return bones;
+}
+
+IntermediateMesh choose_region(const TriangleMesh& face, const RegionChoice& choice,
+                               const BspTree& segments) {
+  return choice.vertices.empty() ? suggest_region(face, segments, choice.reach_mm)
+                                 : region_of_vertices(face, choice.vertices);
+}
+
+/// mm: an inner vertex this near to a bone rests on it.
+constexpr double kOnBone = 1;
+
+/// M: the bone on which the inner vertex of each vertex of the region rests, or kNoBone.
+std::vector<int> resting_on(const TissueModel& model, const Bones& bones,
+                            const TissueProblem& problem) {
+  std::vector<int> bone = problem.bone_below;
+  for (int v = 0; v < problem.tissue.surface_count; ++v) {
+    if (problem.region.held[v] || model.load == LoadModel::force) bone[v] = kNoBone;
+    // Tissue that had to be made thinner, or that only a ray from the bone's edge meets, may not
+    // reach the bone. The paper's generator does not try to.
+    if (bone[v] == kNoBone || model.generator == Generator::paper) continue;
+    const Eigen::Vector3d x = problem.tissue.mesh.vertices.row(problem.tissue.inner(v));
+    if (!bones.tree(bone[v]).nearest(x, kOnBone)) bone[v] = kNoBone;
+  }
+  return bone;
+}
+
+/// M: whether the user marked the tissue below each vertex of the region as sliding.
+std::vector<bool> marked_sliding(const TissueModel& model, const TissueProblem& problem) {
+  std::vector<bool> marked(static_cast<std::size_t>(problem.tissue.surface_count), false);
+  for (const int v : model.sliding_vertices) {
+    if (v < 0 || v >= problem.surface_map.rows()) {
+      throw Error(ErrorKind::case_file, "tissue.sliding_file",
+                  "vertex " + std::to_string(v) + " is not one of the face's " +
+                      std::to_string(problem.surface_map.rows()),
+                  "give vertex numbers of the face, from 0");
+    }
+    int nearest = -1;
+    double most = 0;
+    for (SurfaceMap::InnerIterator weight(problem.surface_map, v); weight; ++weight) {
+      if (weight.value() > most) nearest = static_cast<int>(weight.col());
+      most = std::max(most, weight.value());
+    }
+    if (nearest != -1) marked[nearest] = true;
+  }
+  return marked;
+}
+
+/// M: whether the tissue that rests on bone slides over it, by the user's marks and the teeth.
+std::vector<bool> sliding_vertices(const Anatomy& anatomy, const TissueModel& model,
+                                   const std::vector<int>& bone, const TissueProblem& problem) {
+  std::vector<bool> slides = marked_sliding(model, problem);
+  if (!model.slides_on_teeth || !anatomy.ct || model.load == LoadModel::force) return slides;
+  const Crowns crowns = find_crowns(*anatomy.ct);
+  const SoftTissueMesh& tissue = problem.tissue;
+  const std::vector<BoneCover> cover = bone_cover(
+      crowns, tissue.mesh.vertices.middleRows(tissue.surface_count, tissue.surface_count));
+  for (std::size_t v = 0; v < slides.size(); ++v) {
+    if (bone[v] != kNoBone && cover[v] != BoneCover::periosteum) slides[v] = true;
+  }
+  return slides;
+}
+
+/// The bone's normals at the inner vertices that slide over it. M×3, zero for the others.
+Points sliding_normals(const Anatomy& anatomy, const Bones& bones, const std::vector<int>& bone,
+                       const std::vector<bool>& slides, const SoftTissueMesh& tissue) {
+  Points normals = Points::Zero(tissue.surface_count, 3);
+  for (int b = Support::kUnmoved; b < static_cast<int>(bones.segments.size()); ++b) {
+    std::vector<int> here;
+    for (int v = 0; v < tissue.surface_count; ++v) {
+      if (slides[v] && bone[v] == b) here.push_back(v);
+    }
+    Points places(here.size(), 3);
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      places.row(static_cast<Eigen::Index>(i)) = tissue.mesh.vertices.row(tissue.inner(here[i]));
+    }
+    const TriangleMesh& surface =
+        b == Support::kUnmoved ? anatomy.remainder : anatomy.segments[b].mesh;
+    const Points found = smooth_normals(surface, bones.tree(b), places);
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      normals.row(here[i]) = found.row(static_cast<Eigen::Index>(i));
+    }
+  }
+  return normals;
+}
+
+/// Rim fixed; inner vertices held, moved or slid over by the bone they rest on (displacement
+/// transfer), unless it is next to bone on the other side of a cut; with force transfer only the
+/// rim is held, as in the paper.
+void set_supports(const Anatomy& anatomy, const TissueModel& model, const Bones& bones,
+                  TissueProblem& problem) {
+  const SoftTissueMesh& tissue = problem.tissue;
+  problem.supports.assign(static_cast<std::size_t>(tissue.mesh.vertices.rows()), Support::free);
+  const std::vector<int> bone = resting_on(model, bones, problem);
+  const std::vector<bool> slides = sliding_vertices(anatomy, model, bone, problem);
+  const Points normals = sliding_normals(anatomy, bones, bone, slides, tissue);
+  for (int v = 0; v < tissue.surface_count; ++v) {
+    Support& inner = problem.supports[tissue.inner(v)];
+    if (problem.region.held[v]) {
+      // The whole column: the face does not move at the rim, nor what is below it.
+      for (int level = 0; level <= tissue.layers(v); ++level) {
+        problem.supports[tissue.column_node(v, level)] = Support::fixed;
+      }
+    }
+    if (bone[v] == kNoBone) continue;
+    if (slides[v]) {
+      inner = Support::slides(normals.row(v), bone[v]);
+      ++problem.sliding_count;
+    } else if (bones.is_near_another(bone[v], tissue.mesh.vertices.row(tissue.inner(v)),
+                                     model.released_mm)) {
+      ++problem.released_count;
+    } else if (bone[v] == Support::kUnmoved) {
+      inner = Support::fixed;
+      ++problem.on_skull_count;
+    } else {
+      inner = Support(Support::attached, bone[v]);
+      ++problem.attached_count;
+    }
+  }
+}
+
+void require_driven(LoadModel load, const TissueProblem& problem) {
+  const bool driven =
+      load == LoadModel::displacement ? problem.attached_count > 0 : !problem.forced.empty();
+  if (driven) return;
+  throw Error(ErrorKind::anatomy, "region",
+              "no bone of a segment lies under it, so nothing would move the face",
+              "choose a region over the segment, or raise tissue.bone_reach_mm");
+}
+
+void require_clean(const SoftTissueMesh& tissue) {
+  const TetQuality quality = tet_quality(tissue.mesh);
+  if (quality.inverted == 0) return;
+  throw Error(ErrorKind::anatomy, "tissue.generator",
+              "the paper's generator inverts " + std::to_string(quality.inverted) + " of " +
+                  std::to_string(quality.count) + " tetrahedra on this region",
+              "use the generator \"robust\", or a smaller tissue.depth_mm");
+}
+
+/// Surface vertices that a link meets, without those on the rim, ascending.
+std::vector<int> forced_points(const TissueProblem& problem) {
+  std::vector<int> forced;
+  for (const BoneLink& link : problem.links) {
+    for (const int v : problem.region.mesh.triangles.row(link.triangle)) {
+      if (!problem.region.held[v]) forced.push_back(v);
+    }
+  }
+  std::sort(forced.begin(), forced.end());
+  forced.erase(std::unique(forced.begin(), forced.end()), forced.end());
+  return forced;
+}
+
+/// Meshes the tissue and finds the bone below it. A region with folds deeper than the default depth
+/// needs directions smoothed over more than that: each further try doubles the smoothing.
+void mesh_tissue(const Bones& bones, const TissueModel& model, TissueProblem& problem,
+                 Progress& progress) {
+  BoneBelowOptions options;
+  options.threshold = model.bone_reach_mm;
+  options.default_depth = model.depth_mm;
+  constexpr int kTries = 3;
+  double length = model.depth_mm;
+  for (int attempt = 1;; ++attempt, length *= std::sqrt(2.0)) {
+    Points directions;
+    BoneBelow below;
+    {
+      const auto stage = progress.stage("bone below the face");
+      directions = offset_directions(problem.region, length);
+      below = bone_below(problem.region, directions, bones.segments, bones.skull, problem.links,
+                         options);
+    }
+    const auto stage = progress.stage("ST Generator");
+    problem.bone_below = std::move(below.bone);
+    if (model.generator == Generator::paper) {
+      problem.tissue = st_generator_paper(problem.region, model.depth_mm);
+      require_clean(problem.tissue);
+      return;
+    }
+    try {
+      RobustGeneratorOptions shape;
+      shape.layers.thickness_in_edges = model.layer_edges;
+      problem.tissue = st_generator(problem.region, directions, below.depth, shape);
+    } catch (const Error&) {
+      if (attempt == kTries) throw;
+      continue;
+    }
+    return;
+  }
+}
+
+/// mm: a fixed rim nearer to the moving bone than this holds the face back where it should move.
+constexpr double kNearRim = 15;
+
+double rim_distance(const IntermediateMesh& region, const BspTree& segment) {
+  double least = 1e3;
+  for (std::size_t v = 0; v < region.held.size(); ++v) {
+    if (!region.held[v]) continue;
+    const auto nearest =
+        segment.nearest(region.mesh.vertices.row(static_cast<Eigen::Index>(v)), least);
+    if (nearest) least = nearest->distance;
+  }
+  return least;
+}
+
+}  // namespace
+
+namespace {
+
+void set_region(const Anatomy& anatomy, const RegionChoice& choice, const TissueModel& model,
+                const Bones& bones, TissueProblem& problem, Progress& progress) {
+  const auto stage = progress.stage("region");
+  const TriangleMesh& face = anatomy.face.mesh.surface;
+  problem.region = choose_region(face, choice, bones.all_segments);
+  problem.surface_map = index_map(problem.region, face.vertices);
+  if (model.generator == Generator::robust) {
+    Unfolding unfolding = unfold(problem.region);
+    problem.region = std::move(unfolding.region);
+    problem.unfolded_count = unfolding.moved_count;
+    problem.unfolded_mm = unfolding.largest_move;
+  }
+  problem.rim_to_segment = rim_distance(problem.region, bones.all_segments);
+  if (problem.rim_to_segment < kNearRim) {
+    progress.notice("the fixed rim of the region comes within " +
+                    std::to_string(std::lround(problem.rim_to_segment)) +
+                    " mm of the moving bone, so the face is held back there; a larger region or "
+                    "a photograph that reaches farther would be better");
+  }
+}
+
+void set_links(const Anatomy& anatomy, const TissueModel& model, const Bones& bones,
+               TissueProblem& problem, Progress& progress) {
+  const auto stage = progress.stage("bone map");
+  const BspTree skin(problem.region.mesh);
+  for (std::size_t s = 0; s < bones.segments.size(); ++s) {
+    const std::vector<BoneLink> links =
+        bone_map(anatomy.segments[s].mesh, bones.segments[s], problem.region, skin,
+                 model.bone_reach_mm, static_cast<int>(s));
+    problem.links.insert(problem.links.end(), links.begin(), links.end());
+  }
+  problem.forced = forced_points(problem);
+}
+
+void set_materials(const Anatomy& anatomy, const TissueModel& model, TissueProblem& problem,
+                   Progress& progress) {
+  problem.materials = model.material;
+  if (model.kinds == TissueKinds::homogeneous) return;
+  const auto stage = progress.stage("tissue from the CT");
+  const Eigen::VectorXd depths =
+      depths_below(problem.tissue.mesh.vertices, BspTree(problem.region.mesh));
+  TissueFromCt found = tissue_from_ct(*anatomy.ct, problem.tissue.mesh, depths);
+  problem.materials = std::move(found.materials);
+  problem.share = found.share;
+}
+
+}  // namespace
+
+TissueProblem build_tissue(const Anatomy& anatomy, const RegionChoice& choice,
+                           const TissueModel& model, Progress& progress) {
+  TissueProblem problem;
+  const Bones bones = search_trees(anatomy, progress);
+  set_region(anatomy, choice, model, bones, problem, progress);
+  set_links(anatomy, model, bones, problem, progress);
+  mesh_tissue(bones, model, problem, progress);
+  set_materials(anatomy, model, problem, progress);
+  {
+    const auto stage = progress.stage("supports");
+    set_supports(anatomy, model, bones, problem);
+  }
+  require_driven(model.load, problem);
+  return problem;
+}
+
+}  // namespace gnathion

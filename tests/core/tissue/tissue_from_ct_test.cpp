@@ -176,27 +176,28 @@ TEST(TissueFromCt, PartOfATetIsExactWhateverItsDepths) {
 }
 
 TEST(TissueFromCt, BoneAndAirTakeNoPart) {
-  // Of a tet half in fat and half in bone, or half in fat and half in air, only the fat counts.
-  const auto half = [](double other) {
-    return synthetic_ct({24, 24, 56}, grid({0.5, 0.5, 0.4}, {-2, -2, -20.2}),
-                        [=](const Eigen::Vector3d& x) { return x.z() > -5 ? -100.0 : other; });
-  };
-  const TetMesh mesh = one_tet(-3, -12);
-  const Eigen::VectorXd depth = -mesh.vertices.col(2);
-  for (const double other : {900.0, -1000.0}) {
-    const TissueFromCt tissue = tissue_from_ct(half(other), mesh, depth);
-    EXPECT_EQ(tissue.of(TissueKind::fat).tets, 1) << other;
+  // Of a tet half in soft tissue and half in bone or air, only the soft tissue counts.
+  const auto found = [](double soft, double other) {
+    const CtVolume ct =
+        synthetic_ct({24, 24, 56}, grid({0.5, 0.5, 0.4}, {-2, -2, -20.2}),
+                     [=](const Eigen::Vector3d& x) { return x.z() > -5 ? soft : other; });
+    const TetMesh mesh = one_tet(-3, -12);
+    const TissueFromCt tissue = tissue_from_ct(ct, mesh, -mesh.vertices.col(2));
     EXPECT_EQ(tissue.unclear, 0);
-  }
-  EXPECT_EQ(tissue_from_ct(half(140), mesh, depth).of(TissueKind::muscle).tets, 1);
+    return tissue.of(TissueKind::fat).tets == 1 ? TissueKind::fat : TissueKind::muscle;
+  };
+  EXPECT_EQ(found(-100, 900), TissueKind::fat);
+  EXPECT_EQ(found(-100, 140), TissueKind::muscle);
+  EXPECT_EQ(found(55, -1000), TissueKind::muscle);
+  EXPECT_EQ(found(55, -180), TissueKind::fat);
 }
 
 TEST(TissueFromCt, SkinThatBlursIntoFatDoesNotMakeItMuscle) {
-  // 90 HU at the surface fall to those of fat at 3.5 mm, as in a CT with slices of 2 mm.
-  const CtVolume ct = synthetic_ct(
-      {12, 12, 14}, grid({1, 1, 2}, {-2, -2, -24}),
-      [](const Eigen::Vector3d& x) { return 90 - 190 * std::clamp(-x.z() / 3.5, 0.0, 1.0); });
-  const TetMesh mesh = one_tet(0, -6);
+  // 1.5 mm of skin, which voxels of 2 mm show as 3 mm.
+  const CtVolume ct =
+      synthetic_ct({8, 12, 60}, grid({2, 1, 0.5}, {-2, -2, -24}),
+                   [](const Eigen::Vector3d& x) { return x.z() > -3 ? 100 : -100; });
+  const TetMesh mesh = one_tet(0, -4.5);
   EXPECT_EQ(tissue_from_ct(ct, mesh, -mesh.vertices.col(2)).of(TissueKind::muscle).volume_mm3, 0);
   // A tet that has no part deeper is taken as it is.
   const TetMesh thin = one_tet(0, -3.4);

@@ -117,7 +117,7 @@ TEST(Teeth, TheGridsPlaceInThePatientDoesNotMatter) {
 TEST(Teeth, TheAnalyticHeadHasTwoRowsAndNothingElse) {
   const HeadModel head;
   PhantomOptions options;
-  options.pixel_mm = options.slice_step_mm = 1.5;
+  options.pixel_mm = options.slice_step_mm = 2;
   Progress progress;
   PhantomVolume volume = make_phantom_volume(head, options, progress);
   const CtVolume ct(volume.size, std::move(volume.hounsfield), grid(volume.spacing, volume.origin),

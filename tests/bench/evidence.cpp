@@ -1,16 +1,16 @@
 // Prints the figures of docs/evidence.md as Markdown tables: `./run evidence`.
 //   gnathion-evidence [CASE.json …]    the cases, e.g. the embedded one and the real CT
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <iostream>
 #include <string>
 #include <vector>
 
+#include "bench/chin_problem.h"
 #include "bench/ray_trees.h"
+#include "bench/timing.h"
 #include "fem/response_basis.h"
 #include "geometry/tet_quality.h"
 #include "io/calculix.h"
@@ -24,20 +24,10 @@ namespace {
 
 using namespace gnathion;
 namespace fs = std::filesystem;
+using bench::median;
+using bench::median_seconds;
+using bench::seconds;
 using testing::whole_region;
-
-double seconds(const std::function<void()>& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median_seconds(int runs, const std::function<void()>& work) {
-  std::vector<double> times;
-  for (int run = 0; run < runs; ++run) times.push_back(seconds(work));
-  std::nth_element(times.begin(), times.begin() + runs / 2, times.end());
-  return times[static_cast<std::size_t>(runs / 2)];
-}
 
 std::string ms(double s) {
   char text[32];
@@ -95,44 +85,16 @@ void print_hard_patches() {
   }
 }
 
-/// A Table 1 patch with its rim fixed and the inner points below the chin attached to a bone.
-struct Problem {
-  IntermediateMesh region;
-  Points directions;
-  SoftTissueMesh tissue;
-  Supports supports;
-  Eigen::Vector3d centre;
-};
-
-Problem chin_problem(const TriangleMesh& mesh) {
-  Problem p{whole_region(mesh), {}, {}, {}, {}};
-  p.directions = offset_directions(p.region, 5);
-  p.tissue =
-      st_generator(p.region, p.directions, Eigen::VectorXd::Constant(mesh.vertices.rows(), 5));
-  p.supports.assign(static_cast<std::size_t>(p.tissue.mesh.vertices.rows()), Support::free);
-  const Eigen::RowVector3d middle = mesh.vertices.colwise().mean();
-  p.centre = middle.transpose();
-  for (int v = 0; v < p.tissue.surface_count; ++v) {
-    const Eigen::RowVector3d x = mesh.vertices.row(v) - middle;
-    if (p.region.rim[v]) {
-      p.supports[v] = p.supports[p.tissue.inner(v)] = Support::fixed;
-    } else if (std::hypot(x[0] / 25, (x[1] + 18) / 15) < 1) {
-      p.supports[p.tissue.inner(v)] = Support::attached;
-    }
-  }
-  return p;
-}
-
 struct PatchTimes {
   double st, assemble, factor, solve, total, basis, frame, ccx;
   double basis_error, ccx_error;
 };
 
 /// Runs ccx on the problem; negative seconds where it is not installed.
-double run_calculix(const Problem& p, const Points& prescribed, Points& u) {
+double run_calculix(const bench::ChinProblem& p, const Points& prescribed, Points& u) {
   const fs::path folder = fs::temp_directory_path() / "gnathion-evidence-ccx";
   fs::create_directories(folder);
-  write_calculix_deck(p.tissue.mesh, {}, p.supports, prescribed, folder / "patch.inp");
+  write_calculix_deck({p.tissue.mesh, {}, p.supports, prescribed}, folder / "patch.inp");
   const std::string command =
       "cd '" + folder.string() + "' && OMP_NUM_THREADS=1 ccx patch > ccx.log 2>&1";
   int status = 0;
@@ -144,16 +106,13 @@ double run_calculix(const Problem& p, const Points& prescribed, Points& u) {
 }
 
 PatchTimes measure_patch(const TriangleMesh& mesh) {
-  const Problem p = chin_problem(mesh);
+  const bench::ChinProblem p = bench::chin_problem(mesh);
   const Points& x = p.tissue.mesh.vertices;
   const Points none = Points::Zero(x.rows(), 3);
-  RigidMotion motion;
-  motion.rotation = Eigen::AngleAxisd(0.05, Eigen::Vector3d::UnitX()).toRotationMatrix();
-  motion.translation = p.centre - motion.rotation * p.centre + Eigen::Vector3d(0, 0, 5);
+  const RigidMotion motion = bench::chin_motion(p);
   const Points prescribed = moved(x, motion) - x;
   PatchTimes t{};
-  const Eigen::VectorXd depth = Eigen::VectorXd::Constant(p.tissue.surface_count, 5);
-  t.st = median_seconds(15, [&] { st_generator(p.region, p.directions, depth); });
+  t.st = median_seconds(15, [&] { st_generator(p.region, p.directions, p.depth); });
   std::vector<double> assemble, factor, solve, total;
   StaticSolution direct;
   for (int run = 0; run < 5; ++run) {
@@ -166,10 +125,6 @@ PatchTimes measure_patch(const TriangleMesh& mesh) {
       (stage.name == "factorise" ? factor : assemble).push_back(stage.seconds);
     }
   }
-  const auto median = [](std::vector<double> v) {
-    std::sort(v.begin(), v.end());
-    return v[v.size() / 2];
-  };
   t.assemble = median(assemble);
   t.factor = median(factor);
   t.solve = median(solve);
@@ -177,12 +132,12 @@ PatchTimes measure_patch(const TriangleMesh& mesh) {
   Progress progress;
   const StaticSolver solver(p.tissue.mesh, {}, p.supports, progress);
   ResponseBasis basis;
-  t.basis = median_seconds(3, [&] { basis = response_basis(solver, x, p.centre); });
-  const ResponseBasis surface(basis.columns().topRows(3 * p.tissue.surface_count), p.centre);
+  t.basis = median_seconds(3, [&] { basis = response_basis(solver, {p.centre}); });
+  const ResponseBasis surface(basis.columns().topRows(3 * p.tissue.surface_count), {p.centre});
   Points u;
-  surface.displacements(motion, u);
-  t.frame = median_seconds(2001, [&] { surface.displacements(motion, u); });
-  basis.displacements(motion, u);
+  surface.displacements({&motion, 1}, u);
+  t.frame = median_seconds(2001, [&] { surface.displacements({&motion, 1}, u); });
+  basis.displacements({&motion, 1}, u);
   t.basis_error = (u - direct.displacements).norm() / direct.displacements.norm();
   Points by_ccx;
   t.ccx = run_calculix(p, prescribed, by_ccx);
@@ -269,7 +224,7 @@ void print_case(const std::string& path) {
   const TetQuality quality = tet_quality(model.problem().tissue.mesh);
   std::cout << quality.count << " tets, inverted " << quality.inverted << "; smallest dihedral "
             << quality.smallest_dihedral << "°, median aspect " << quality.median_aspect
-            << "; segment " << anatomy.cut.volume_mm3 / 1000 << " ml; residual "
+            << "; segment " << anatomy.segments.front().volume_mm3 / 1000 << " ml; residual "
             << prediction.relative_residual << "; basis against direct solve "
             << prediction.basis_error << "; tets inverted by the motion "
             << prediction.inverted_after << ".\n\n| stage | seconds |\n|---|---|\n";
@@ -277,7 +232,7 @@ void print_case(const std::string& path) {
     std::cout << "| " << stage.name << " | " << stage.seconds << " |\n";
   }
   Points face;
-  const double frame = median_seconds(501, [&] { model.predict(prediction.motion, face); });
+  const double frame = median_seconds(501, [&] { model.predict(prediction.motions, face); });
   std::cout << "| one drag frame, all " << face.rows() << " face vertices | " << frame << " |\n";
   if (plan.landmarks.empty()) return;
   std::cout << "\nMotion along the bone's, over the bone's, for the released margin "

@@ -1,0 +1,48 @@
+// Measures what docs/evidence.md shows: `./run bench`.
+//   gnathion-bench FOLDER [--only PART]… [--largest TETS] [CASE.json …]
+// Prints Markdown tables, and writes the same as CSV and its plots as SVG into FOLDER.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <functional>
+#include <iostream>
+
+#include "bench/mesh_peers.h"
+#include "bench/scaling.h"
+
+namespace {
+
+using namespace gnathion::bench;
+
+struct Part {
+  std::string name;
+  std::function<void(const Report&)> run;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Measures speed, error and limits of the tissue model", "gnathion-bench");
+  std::string folder;
+  std::vector<std::string> only, cases;
+  long largest = 1000000;
+  app.add_option("folder", folder, "for tables (CSV) and plots (SVG)")->required();
+  app.add_option("cases", cases, "case files: heads to mesh");
+  app.add_option("--only", only, "meshes, scaling")->take_all();
+  app.add_option("--largest", largest, "tets of the largest patch of the scaling");
+  CLI11_PARSE(app, argc, argv);
+  const std::vector<Part> parts{
+      {"meshes", [&](const Report& report) { report_mesh_peers(report, cases); }},
+      {"scaling", [&](const Report& report) { report_scaling(report, largest); }}};
+  try {
+    const Report report(folder);
+    for (const Part& part : parts) {
+      if (only.empty() || std::find(only.begin(), only.end(), part.name) != only.end()) {
+        part.run(report);
+      }
+    }
+    return 0;
+  } catch (const std::exception& error) {
+    std::cerr << "gnathion-bench: " << error.what() << '\n';
+    return 1;
+  }
+}

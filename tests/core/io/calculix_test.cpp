@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "base/error.h"
-#include "fem/static_solver.h"
+#include "fem/neo_hookean_solver.h"
 #include "geometry/rigid_motion.h"
 #include "support/expect_error.h"
 #include "support/face_patch.h"
@@ -102,6 +102,36 @@ INSTANTIATE_TEST_SUITE_P(Problems, CalculixAgrees,
                                            Case(1, ElementOrder::linear, Held::sliding),
                                            Case(1, ElementOrder::quadratic, Held::tied),
                                            Case(1, ElementOrder::quadratic, Held::sliding)));
+
+class CalculixAgreesOnLargeStrain : public ::testing::TestWithParam<Case> {};
+
+TEST_P(CalculixAgreesOnLargeStrain, ToATenBillionth) {
+  if (!has_calculix()) GTEST_SKIP() << "CalculiX is not here: apt-get install calculix-ccx";
+  const auto [size, order, held] = GetParam();
+  CalculixProblem problem = lips_on_bone(size, order, held);
+  // Stiff, since ccx is content with a residual of 1e-8 N whatever is asked of it.
+  problem.materials = {{{7e4, 0.46}, {2e4, 0.4}}, problem.materials.of_tet};
+  problem.neo_hookean = true;
+  Progress progress;
+  const StaticSolver linear(problem.elements, problem.materials, problem.supports, progress);
+  const Points start = Points::Zero(problem.prescribed.rows(), 3);
+  NeoHookeanOptions exact;
+  exact.tolerance = 1e-11;
+  const Points ours =
+      NeoHookeanSolver(linear)
+          .solve([&](double t) -> Points { return t * problem.prescribed; }, start, progress, exact)
+          .displacements;
+  problem.compared_with = ours;
+  const double largest = ours.rowwise().norm().maxCoeff();
+  EXPECT_LT(answer_of_calculix(problem).rowwise().norm().maxCoeff(), 1e-10 * largest);
+  const double nonlinear = (our_answer(problem) - ours).rowwise().norm().maxCoeff();
+  EXPECT_GT(nonlinear, 0.01 * largest);  // or the test would say nothing
+}
+
+INSTANTIATE_TEST_SUITE_P(Problems, CalculixAgreesOnLargeStrain,
+                         ::testing::Values(Case(1, ElementOrder::linear, Held::tied),
+                                           Case(1, ElementOrder::linear, Held::sliding),
+                                           Case(2, ElementOrder::linear, Held::tied)));
 
 TEST(Calculix, PrintsTheDisplacementsWhereNothingIsCompared) {
   if (!has_calculix()) GTEST_SKIP() << "CalculiX is not here: apt-get install calculix-ccx";

@@ -106,7 +106,7 @@ class TriangleGrid {
     }
     // Not so small that a large triangle among small ones fills very many cells.
     constexpr double kMostCells = 16;
-    cell_ = std::max({1.5 * mean, largest / kMostCells, 1e-9});
+    cell_ = std::max({2 * mean, largest / kMostCells, 1e-9});
     fill();
   }
 

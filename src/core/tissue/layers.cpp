@@ -47,28 +47,26 @@ void add_deepest_layer(const IntermediateMesh& region, const SoftTissueMesh& nod
   }
 }
 
-/// The elements between a triangle and its deepest layer.
+/// The elements between a triangle and its deepest layer. depth: of each node below its surface
+/// vertex, mm.
 void add_upper_layers(const Triangles& F, int f, const SoftTissueMesh& nodes,
-                      std::vector<std::array<int, 4>>& tets) {
+                      const Eigen::VectorXd& depth, std::vector<std::array<int, 4>>& tets) {
   std::array<int, 3> level{};
   const auto node = [&](int corner, int at) { return nodes.column_node(F(f, corner), at); };
   for (;;) {
-    // Equal parts of different columns are equal as numbers too: a quotient of whole numbers is
-    // rounded the same way however it is written.
-    std::pair<double, int> first{2, 0};
-    int raised = -1;
+    std::pair<double, int> first{std::numeric_limits<double>::infinity(), 0};
+    int stepped = -1;
     for (int corner = 0; corner < 3; ++corner) {
-      const int upper = nodes.layers(F(f, corner)) - 1;
-      if (level[corner] == upper) continue;
-      const std::pair<double, int> key{double(level[corner] + 1) / upper, F(f, corner)};
+      if (level[corner] == nodes.layers(F(f, corner)) - 1) continue;
+      const std::pair<double, int> key{depth[node(corner, level[corner] + 1)], F(f, corner)};
       if (key >= first) continue;
       first = key;
-      raised = corner;
+      stepped = corner;
     }
-    if (raised == -1) return;
-    const int next = node(raised, level[raised] + 1);
+    if (stepped == -1) return;
+    const int next = node(stepped, level[stepped] + 1);
     tets.push_back({node(0, level[0]), node(2, level[2]), node(1, level[1]), next});
-    ++level[raised];
+    ++level[stepped];
   }
 }
 
@@ -191,19 +189,22 @@ void set_layers(const IntermediateMesh& region, const std::vector<int>& layers, 
     tissue.column_start.push_back(tissue.column_start.back() + count - 1);
   }
   tissue.mesh.vertices.conservativeResize(2 * M + N + tissue.column_start.back(), 3);
+  Eigen::VectorXd depth = Eigen::VectorXd::Zero(tissue.mesh.vertices.rows());
   for (int v = 0; v < M; ++v) {
     const Eigen::RowVector3d top = tissue.mesh.vertices.row(v);
     const Eigen::RowVector3d down = tissue.mesh.vertices.row(tissue.inner(v)) - top;
     const std::vector<double> parts = level_parts(layers[v], growth);
     for (int level = 1; level < layers[v]; ++level) {
-      tissue.mesh.vertices.row(tissue.column_node(v, level)) = top + parts[level - 1] * down;
+      const int node = tissue.column_node(v, level);
+      tissue.mesh.vertices.row(node) = top + parts[level - 1] * down;
+      depth[node] = parts[level - 1] * tissue.depth[v];
     }
   }
   std::vector<std::array<int, 4>> tets;
   tets.reserve(
       static_cast<std::size_t>(N + 3 * region.edges.size() + tissue.column_start.back() * 6));
   add_deepest_layer(region, tissue, tets);
-  for (int f = 0; f < N; ++f) add_upper_layers(region.mesh.triangles, f, tissue, tets);
+  for (int f = 0; f < N; ++f) add_upper_layers(region.mesh.triangles, f, tissue, depth, tets);
   tissue.mesh.tets =
       Eigen::Map<const Tets>(tets.front().data(), static_cast<Eigen::Index>(tets.size()), 4);
 }

@@ -22,12 +22,11 @@ Eigen::VectorXd flat_volumes(const IntermediateMesh& region, const SoftTissueMes
 
 /// Sets the mesh's columns and elements for these numbers of layers (M, ≥ 1): nodes between layers
 /// are placed on the straight line from the surface vertex to its inner vertex, each layer `growth`
-/// times as thick as the one above. The deepest layer is the paper's. The ones above are
-/// filled by raising the three columns of each triangle, one node at a time, always the column
-/// whose next node is at the smallest part of its own upper layers (the lower vertex index where
-/// equal): one tet a raise. That order is the same seen from either side of an edge, so that
-/// neighbours fit together whatever their numbers of layers. The surface, inner and centre nodes
-/// keep their places.
+/// times as thick as the one above. The deepest layer is the paper's. The ones above are filled by
+/// going down the three columns of each triangle, one node at a time, always the column whose next
+/// node is the least deep (the lower vertex index where equal): one tet a step. That order is the
+/// same seen from either side of an edge, so that neighbours fit together whatever their numbers of
+/// layers. The surface, inner and centre nodes keep their places.
 void set_layers(const IntermediateMesh& region, const std::vector<int>& layers, double growth,
                 SoftTissueMesh& tissue);
 

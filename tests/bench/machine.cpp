@@ -64,24 +64,24 @@ std::string read_all(int file) {
 
 }  // namespace
 
-double read_bandwidth() {
-  const std::vector<std::uint64_t> data(std::size_t{1} << 26, 1);  // 512 MiB
-  const std::size_t half = data.size() / 2;
-  double best = 0;
+double read_bandwidth(std::size_t bytes, int passes) {
+  const std::size_t quarter = bytes / (4 * sizeof(std::uint64_t));
+  const std::vector<std::uint64_t> data(4 * quarter, 1);
   std::uint64_t sum = 0;
-  for (int pass = 0; pass < 7; ++pass) {
-    const double time = seconds([&] {
-      std::uint64_t a = 0, b = 0;
-      for (std::size_t i = 0; i < half; ++i) {
-        a += data[i];
-        b += data[half + i];
-      }
-      sum += a + b;
-    });
-    best = std::max(best, static_cast<double>(sizeof(std::uint64_t) * data.size()) / time);
+  const double time = median_seconds(passes, [&] {
+    std::uint64_t a = 0, b = 0, c = 0, d = 0;
+    for (std::size_t i = 0; i < quarter; ++i) {
+      a += data[i];
+      b += data[quarter + i];
+      c += data[2 * quarter + i];
+      d += data[3 * quarter + i];
+    }
+    sum += a + b + c + d;
+  });
+  if (sum != static_cast<std::size_t>(passes) * data.size()) {
+    throw std::runtime_error("memory reads wrong sums");
   }
-  if (sum != 7 * data.size()) throw std::runtime_error("memory reads wrong sums");
-  return best;
+  return static_cast<double>(sizeof(std::uint64_t) * data.size()) / time;
 }
 
 StageMeter::StageMeter() : progress_([this](const std::string& name) { begin(name); }) {}

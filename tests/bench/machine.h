@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <string>
@@ -9,9 +10,9 @@
 
 namespace gnathion::bench {
 
-/// Bytes a second at which one thread reads an array far larger than the caches: best of several
-/// passes.
-double read_bandwidth();
+/// Bytes a second at which one thread reads so many bytes again and again: the median of `passes`,
+/// as a drag frame reads its basis. Fewer bytes than the caches hold are read faster.
+double read_bandwidth(std::size_t bytes, int passes);
 
 /// What a stage of a computation cost.
 struct StageCost {

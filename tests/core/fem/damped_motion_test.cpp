@@ -5,7 +5,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "base/error.h"
-#include "support/held_patch.h"
+#include "support/sliding_patch.h"
 
 namespace gnathion {
 namespace {
@@ -79,6 +79,28 @@ TEST_P(Schemes, SettleToTheStaticSolution) {
   EXPECT_LT(scene.distance(motion), 1e-6);
   EXPECT_NEAR(motion.time(), 10, 1e-9);
   EXPECT_LT(motion.velocities().cwiseAbs().maxCoeff(), 1e-6);
+}
+
+TEST_P(Schemes, SettleWithSlidingAndQuadraticElementsToo) {
+  const HeldPatch patch = testing::sliding_patch();
+  const ElementMesh mesh(patch.tissue.mesh, ElementOrder::quadratic);
+  const Supports supports = supports_of_nodes(mesh, patch.supports);
+  Progress progress;
+  const StaticSolver statics(mesh, {}, supports, progress);
+  std::array<RigidMotion, 2> motions;
+  motions[0].translation << 1, -5, 2;
+  motions[1].translation << -1, 0, 3;
+  const Points prescribed = bone_displacements(mesh.nodes, supports, motions);
+  const Points settled =
+      statics.solve(prescribed, Points::Zero(prescribed.rows(), 3)).displacements;
+  DynamicsOptions options;
+  options.scheme = GetParam();
+  options.step = 0.05;
+  DampedMotion motion(statics, options);
+  motion.set_prescribed(prescribed);
+  EXPECT_GT((motion.displacements() - settled).norm(), 0.1 * settled.norm());
+  for (int k = 0; k < 60; ++k) motion.step();
+  EXPECT_LT((motion.displacements() - settled).norm(), 1e-6 * settled.norm());
 }
 
 TEST_P(Schemes, AreStableAtEveryStepEvenWithoutDamping) {

@@ -100,6 +100,14 @@ void improve(std::span<const int> tets, int node, TetMesh& mesh) {
   }
 }
 
+void measure_depth(SoftTissueMesh& tissue) {
+  const Points& x = tissue.mesh.vertices;
+  tissue.depth =
+      (x.middleRows(tissue.surface_count, tissue.surface_count) - x.topRows(tissue.surface_count))
+          .rowwise()
+          .norm();
+}
+
 }  // namespace
 
 std::vector<int> untangle(const Eigen::VectorXd& least, int sweeps, SoftTissueMesh& tissue) {
@@ -137,11 +145,7 @@ std::vector<int> untangle(const Eigen::VectorXd& least, int sweeps, SoftTissueMe
     }
     nodes = find_nodes();
   }
-  const Points& x = tissue.mesh.vertices;
-  tissue.depth =
-      (x.middleRows(tissue.surface_count, tissue.surface_count) - x.topRows(tissue.surface_count))
-          .rowwise()
-          .norm();
+  measure_depth(tissue);
   return small;
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <iostream>
 
+#include "bench/elements.h"
 #include "bench/mesh_peers.h"
 #include "bench/scaling.h"
 
@@ -27,11 +28,12 @@ int main(int argc, char** argv) {
   long largest = 1000000;
   app.add_option("folder", folder, "for tables (CSV) and plots (SVG)")->required();
   app.add_option("cases", cases, "case files: heads to mesh");
-  app.add_option("--only", only, "meshes, scaling")->take_all();
+  app.add_option("--only", only, "meshes, elements, scaling")->take_all();
   app.add_option("--largest", largest, "tets of the largest patch of the scaling");
   CLI11_PARSE(app, argc, argv);
   const std::vector<Part> parts{
       {"meshes", [&](const Report& report) { report_mesh_peers(report, cases); }},
+      {"elements", [&](const Report& report) { report_elements(report); }},
       {"scaling", [&](const Report& report) { report_scaling(report, largest); }}};
   try {
     const Report report(folder);

@@ -122,13 +122,22 @@ NeoHookeanSolution Walk::along(const MotionPath& path, const Points& start) {
   const Supports& supports = linear_.supports();
   State state{prescribed_part(supports, path(0)), linear_.free_part().gather(start)};
   double t = 0, step = 1;
+  bool factor_is_of_state = start.isZero(0);  // the linear factor is that of rest
   while (t < 1) {
     const double next = std::min(1.0, t + step);
     const Points given = prescribed_part(supports, path(next));
     State trial = predicted(state, given);
+    if (!factor_is_of_state && overdone(state, field(trial))) {
+      ++result_.newton_iterations;
+      factorise_tangent(field(state));
+      factor_is_of_state = true;
+      trial = predicted(state, given);
+    }
     const Points prediction = field(trial);
-    const bool settled = !overdone(state, prediction) &&
-                         settle(trial, next < 1 ? kStationTolerance : options_.tolerance);
+    const bool attempted = !overdone(state, prediction);
+    const bool settled =
+        attempted && settle(trial, next < 1 ? kStationTolerance : options_.tolerance);
+    if (attempted) factor_is_of_state = false;
     if (settled) {
       state = std::move(trial);
       t = next;

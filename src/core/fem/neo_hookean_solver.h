@@ -7,9 +7,9 @@
 namespace gnathion {
 
 struct NeoHookeanOptions {
-  /// Of the relative residual; the error of the displacements, as a part of the largest, is of its
-  /// size. Rounding leaves about 1e-13.
-  double tolerance = 1e-7;
+  /// Of the relative residual; the error of the displacements, as a part of the largest, is below
+  /// it. Rounding leaves about 1e-13.
+  double tolerance = 1e-6;
   /// Iterate with the linear model's factor, and with that of every tangent, as long as that
   /// promises to converge. Without it every iteration is Newton's.
   bool frozen_factor = true;
@@ -34,9 +34,9 @@ struct NeoHookeanSolution {
 ///
 /// Starting at a known equilibrium, the path's end is tried at once from the linear response to
 /// it, with the linear factor as preconditioner and Anderson acceleration; where that turns tissue
-/// inside out or does not converge, the path is walked in steps, and where a step does not converge
-/// either, by Newton's method with a line search on the energy. No state with J <= 0 is ever
-/// accepted. The factor of Newton's last tangent serves as preconditioner from then on.
+/// inside out, or nearly, the path is walked in steps. Where Anderson's iteration promises nothing
+/// soon, a Newton step with a line search on the energy is taken, whose factor then serves the
+/// iteration and the next prediction. No state with J <= 0 is ever accepted.
 ///
 /// The relative residual is ‖Qᵀ f_int‖ / max(‖f_int − QQᵀ f_int‖, 1e-4 s): the out-of-balance force
 /// over the reactions of the supports; s, the norm of ‖K_ii‖ ‖u_i‖ over the nodes, stands in where

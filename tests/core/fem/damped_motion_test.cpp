@@ -82,7 +82,9 @@ TEST_P(Schemes, SettleToTheStaticSolution) {
 }
 
 TEST_P(Schemes, SettleWithSlidingAndQuadraticElementsToo) {
-  const HeldPatch patch = testing::sliding_patch();
+  TriangleMesh surface = testing::flat_disk(196, 52, 4);
+  testing::raise(surface, [](double x, double y) { return testing::bump(x, y, 3, -2, 12, 9) * 5; });
+  const HeldPatch patch = testing::sliding_patch(surface);
   const ElementMesh mesh(patch.tissue.mesh, ElementOrder::quadratic);
   const Supports supports = supports_of_nodes(mesh, patch.supports);
   Progress progress;

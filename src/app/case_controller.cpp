@@ -3,8 +3,6 @@
 #include <QCoreApplication>
 #include <QFile>
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace gnathion {
@@ -22,16 +20,35 @@ JawMotion within_limits(JawMotion motion) {
   return motion;
 }
 
+/// The linear model's answer. Throws as FaceModel::predict.
+Response quick_response(const LoadedCase& loaded, std::span<const JawMotion> motions) {
+  Response response;
+  for (std::size_t s = 0; s < motions.size(); ++s) {
+    response.poses.push_back(rigid_motion(motions[s], loaded.anatomy->segments[s].pivot));
+  }
+  loaded.model->predict(response.poses, response.face);
+  const std::vector<int>& moving = loaded.model->moving_vertices();
+  const Points& rest = loaded.anatomy->face.mesh.surface.vertices;
+  const Points moved_by = response.face(moving, Eigen::all) - rest(moving, Eigen::all);
+  response.displacement = distance_statistics(moved_by.rowwise().norm());
+  response.landmarks = loaded.landmarks.responses(response.face, response.poses);
+  return response;
+}
+
 }  // namespace
 
 CaseController::CaseController(QObject* parent) : QObject(parent) {
   rest_.setSingleShot(true);
   rest_.setInterval(200);
-  connect(&rest_, &QTimer::timeout, this, &CaseController::check);
+  connect(&rest_, &QTimer::timeout, this, &CaseController::refine);
   connect_work(opening_);
   connect_work(exporting_);
   connect(&opening_, &BackgroundTask::noticed, this, &CaseController::noticed);
-  connect(&checking_, &BackgroundTask::failed, this, &CaseController::failed);
+  connect(&refining_, &BackgroundTask::stage_began, this, &CaseController::refinement_stage);
+  connect(&refining_, &BackgroundTask::failed, this, [this](const Failure& failure) {
+    set_refinement(Refinement::refused);
+    emit failed(failure);
+  });
 }
 
 CaseController::~CaseController() {
@@ -72,17 +89,21 @@ void CaseController::open(const QString& what, std::function<fs::path(Progress&)
 }
 
 void CaseController::publish(std::shared_ptr<const LoadedCase> loaded) {
-  const JawMotion motion = within_limits(loaded->plan.motion);
-  Response response = response_to(*loaded, motion);
-  checking_.cancel();
+  std::vector<JawMotion> motions;
+  bool cut = false;
+  for (const PlannedSegment& segment : loaded->plan.segments) {
+    motions.push_back(within_limits(segment.motion));
+    cut = cut || motions.back() != segment.motion;
+  }
+  Response response = quick_response(*loaded, motions);
   loaded_ = std::move(loaded);
-  motion_ = motion;
+  motions_ = std::move(motions);
+  active_ = 0;
   response_ = std::move(response);
-  checked_.reset();
+  await_rest();
   emit case_opened();
   emit motion_changed();
-  rest_.start();
-  if (motion != loaded_->plan.motion) {
+  if (cut) {
     emit noticed(tr("The case's motion is larger than this window can set (%1 mm, %2°) and was cut "
                     "to that.")
                      .arg(largest_shift_mm)
@@ -92,8 +113,9 @@ void CaseController::publish(std::shared_ptr<const LoadedCase> loaded) {
 
 void CaseController::export_face(const fs::path& folder) {
   if (!has_case() || is_exporting()) return;
-  exporting_.start([this, loaded = loaded_, motion = motion_, folder](Progress& progress) {
-    export_prediction(*loaded, motion, folder, progress);
+  exporting_.start([this, loaded = loaded_, plan = plan_with(*loaded_, motions_),
+                    prediction = refined_, folder](Progress& progress) {
+    export_prediction(*loaded, plan, prediction, folder, progress);
     return [this, folder] { emit exported(QFile::decodeName(folder.c_str())); };
   });
   emit work_began(tr("Exporting the predicted face"));
@@ -106,13 +128,13 @@ void CaseController::cancel() {
 
 void CaseController::set_motion(const JawMotion& motion) {
   const JawMotion wanted = within_limits(motion);
-  if (wanted != motion_) {
+  if (wanted != motions_[active_]) {
+    std::vector<JawMotion> motions = motions_;
+    motions[active_] = wanted;
     try {
-      response_ = response_to(*loaded_, wanted);
-      motion_ = wanted;
-      checked_.reset();
-      checking_.cancel();
-      rest_.start();
+      response_ = quick_response(*loaded_, motions);
+      motions_ = std::move(motions);
+      await_rest();
     } catch (const Error& error) {
       emit failed(failure_of(error));
     }
@@ -121,40 +143,46 @@ void CaseController::set_motion(const JawMotion& motion) {
   emit motion_changed();
 }
 
-Response CaseController::response_to(const LoadedCase& loaded, const JawMotion& motion) const {
-  Response response;
-  response.pose = rigid_motion(motion, loaded.anatomy->pivot);
-  loaded.model->predict(response.pose, response.face);
-  const Points& rest = loaded.anatomy->face.mesh.surface.vertices;
-  const std::vector<int>& moving = loaded.model->moving_vertices();
-  Eigen::VectorXd moved_by(static_cast<Eigen::Index>(moving.size()));
-  for (std::size_t i = 0; i < moving.size(); ++i) {
-    moved_by(static_cast<Eigen::Index>(i)) =
-        (response.face.row(moving[i]) - rest.row(moving[i])).norm();
-  }
-  response.displacement = distance_statistics(moved_by);
-  response.landmarks = loaded.landmarks.responses(response.face, response.pose);
-  return response;
+void CaseController::set_active_segment(std::size_t segment) {
+  if (segment == active_) return;
+  active_ = segment;
+  emit active_segment_changed();
 }
 
-void CaseController::check() {
-  SurgicalCase plan = loaded_->plan;
-  plan.motion = motion_;
-  checking_.start([this, plan, loaded = loaded_](Progress& progress) {
-    auto prediction = std::make_shared<const Prediction>(
-        make_prediction(plan, *loaded->anatomy, *loaded->model, progress));
-    return [this, prediction] {
-      checked_ = prediction;
-      emit checked_changed();
-    };
-  });
+void CaseController::await_rest() {
+  refining_.cancel();
+  refined_.reset();
+  refinement_ = Refinement::waiting;
+  rest_.start();
 }
 
-bool CaseController::is_beyond_trust() const {
-  const Eigen::Vector3d shift(motion_.left_mm, motion_.forward_mm, motion_.up_mm);
-  const double cosine = (response_.pose.rotation.trace() - 1) / 2;
-  const double turn = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
-  return shift.norm() > trusted_shift_mm + 1e-9 || turn > trusted_turn_deg + 1e-6;
+void CaseController::refine() {
+  refining_.start(
+      [this, plan = plan_with(*loaded_, motions_), loaded = loaded_](Progress& progress) {
+        auto prediction = std::make_shared<const Prediction>(
+            make_prediction(plan, *loaded->anatomy, *loaded->model, progress));
+        return [this, prediction] { publish(prediction); };
+      });
+  set_refinement(Refinement::running);
+}
+
+void CaseController::publish(std::shared_ptr<const Prediction> prediction) {
+  refined_ = std::move(prediction);
+  response_ = {refined_->motions, refined_->face_points, refined_->displacement,
+               refined_->landmarks};
+  set_refinement(Refinement::done);
+}
+
+void CaseController::stop_refining() {
+  if (refinement_ != Refinement::waiting && refinement_ != Refinement::running) return;
+  rest_.stop();
+  refining_.cancel();
+  set_refinement(Refinement::stopped);
+}
+
+void CaseController::set_refinement(Refinement refinement) {
+  refinement_ = refinement;
+  emit refinement_changed();
 }
 
 }  // namespace gnathion

@@ -1,13 +1,12 @@
 #pragma once
 
 #include <QObject>
-#include <QString>
 #include <QTimer>
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "app/background_task.h"
 #include "app/loaded_case.h"
@@ -18,26 +17,32 @@ namespace gnathion {
 inline constexpr double largest_shift_mm = 30;
 inline constexpr double largest_turn_deg = 30;
 
-/// Beyond this the linear model is not to be trusted; docs/evidence.md has the measurements.
-inline constexpr double trusted_shift_mm = 5;
-inline constexpr double trusted_turn_deg = 10;
-
-/// What follows from the segment's motion at once, in every frame of a drag.
+/// What follows from the segments' motions: in every frame of a drag the linear model's answer, and
+/// when they rest that of the model that keeps the tolerance.
 struct Response {
-  RigidMotion pose;  ///< of the segment, LPS mm
-  Points face;       ///< n×3, mm, LPS, the predicted face
+  std::vector<RigidMotion> poses;  ///< of the segments, LPS mm
+  Points face;                     ///< n×3, mm, LPS, the predicted face
   DistanceStatistics displacement;
   std::map<std::string, LandmarkResponse> landmarks;
 };
 
-/// The model of the window and all that is done to it: the open case, the segment's motion, the
+/// How far the response to the present motions is from being the prediction.
+enum class Refinement {
+  waiting,  ///< the motions have not rested yet
+  running,  ///< beside the window
+  done,     ///< the response is the prediction's
+  refused,  ///< no model could follow the motions: failed() said why
+  stopped,  ///< by the user
+};
+
+/// The model of the window and all that is done to it: the open case, the segments' motions, the
 /// face that follows. Knows no widget. Long work runs beside it and is published here, on the
 /// thread that owns this object; whoever shows the model reads it when a signal says so.
 class CaseController : public QObject {
   Q_OBJECT
  public:
   explicit CaseController(QObject* parent = nullptr);
-  /// Cancels opening and checking; an export that has begun is finished.
+  /// Cancels opening and refining; an export that has begun is finished.
   ~CaseController() override;
 
   /// Opens a case beside the window. While it works, and when it fails or is cancelled, the case
@@ -45,7 +50,7 @@ class CaseController : public QObject {
   void open_case(const std::filesystem::path& file);
   /// The embedded default case, written into `cache` first when it is not there.
   void open_demo_case(const std::filesystem::path& cache);
-  /// Writes the face predicted for the present motion; ends with exported() or failed().
+  /// Writes the face predicted for the present motions; ends with exported() or failed().
   /// Nothing happens while another export is under way.
   void export_face(const std::filesystem::path& folder);
   /// Cancels opening and exporting.
@@ -53,23 +58,33 @@ class CaseController : public QObject {
   bool is_exporting() const { return exporting_.is_running(); }
   bool is_working() const { return opening_.is_running() || exporting_.is_running(); }
 
-  /// Moves the segment; values beyond largest_shift_mm and largest_turn_deg are cut to them.
+  /// Moves the active segment; values beyond largest_shift_mm and largest_turn_deg are cut to them.
+  /// The response is the linear model's at once; a refinement under way is cancelled.
   /// \pre has_case(). When the model refuses the motion, failed() says why and the old one stays.
   void set_motion(const JawMotion& motion);
+  /// Chooses the segment that set_motion() moves. \pre it is one of the case's.
+  void set_active_segment(std::size_t segment);
+  /// The quick response stays until the next motion.
+  void stop_refining();
 
   bool has_case() const { return loaded_ != nullptr; }
   const LoadedCase& loaded() const { return *loaded_; }
-  const JawMotion& motion() const { return motion_; }
+  std::shared_ptr<const LoadedCase> shared_case() const { return loaded_; }
+  std::size_t active_segment() const { return active_; }
+  const JawMotion& motion() const { return motions_[active_]; }  ///< of the active segment
+  const std::vector<JawMotion>& motions() const { return motions_; }
   const Response& response() const { return response_; }
-  /// Of the present motion, checked by a direct solve and measured; null until that is done.
-  const Prediction* checked() const { return checked_.get(); }
-  /// The present motion is larger than the linear model is good for.
-  bool is_beyond_trust() const;
+  Refinement refinement() const { return refinement_; }
+  /// Of the present motions, by the model that keeps the tolerance, checked and measured; null
+  /// until the refinement is done.
+  const Prediction* refined() const { return refined_.get(); }
 
  signals:
   void case_opened();
   void motion_changed();
-  void checked_changed();
+  void active_segment_changed();
+  void refinement_changed();
+  void refinement_stage(const QString& stage);
   void exported(const QString& folder);
   void work_began(const QString& what);
   void work_stage(const QString& stage);
@@ -81,16 +96,20 @@ class CaseController : public QObject {
   void connect_work(BackgroundTask& task);
   void open(const QString& what, std::function<std::filesystem::path(Progress&)> case_file);
   void publish(std::shared_ptr<const LoadedCase> loaded);
-  Response response_to(const LoadedCase& loaded, const JawMotion& motion) const;
-  void check();
+  void await_rest();
+  void refine();
+  void publish(std::shared_ptr<const Prediction> prediction);
+  void set_refinement(Refinement refinement);
 
   std::shared_ptr<const LoadedCase> loaded_;
-  JawMotion motion_;
+  std::vector<JawMotion> motions_{1};  ///< of the segments
+  std::size_t active_ = 0;
   Response response_;
-  std::shared_ptr<const Prediction> checked_;
-  QTimer rest_;  ///< runs out when the motion has rested
+  Refinement refinement_ = Refinement::waiting;
+  std::shared_ptr<const Prediction> refined_;
+  QTimer rest_;  ///< runs out when the motions have rested
   BackgroundTask opening_;
-  BackgroundTask checking_;
+  BackgroundTask refining_;
   BackgroundTask exporting_;
 };
 

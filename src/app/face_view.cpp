@@ -27,8 +27,8 @@ class CameraByMouse : public vtkInteractorStyleTrackballCamera {
 vtkStandardNewMacro(CameraByMouse);
 
 /// 20 mm before the skin, in the height of the segment's most forward part.
-Eigen::Vector3d handle_home(const LoadedCase& loaded) {
-  const Points& bone = loaded.anatomy->cut.segment.vertices;
+Eigen::Vector3d handle_home(const LoadedCase& loaded, const BoneSegment& segment) {
+  const Points& bone = segment.mesh.vertices;
   const double front = bone.col(1).minCoeff();
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   int count = 0;
@@ -108,42 +108,80 @@ void FaceView::show_case(const LoadedCase& loaded) {
   scene_.set_face(face.mesh, face.document.path().string());
   rest_ = face.mesh.surface.vertices;
   scene_.remove_bones();
-  scene_.set_bone("skull", loaded.anatomy->cut.remainder, skull_look, loaded.coarse_skull);
-  scene_.set_bone("segment", loaded.anatomy->cut.segment, segment_look, loaded.coarse_segment);
+  scene_.set_bone("skull", loaded.anatomy->remainder, skull_look, loaded.coarse_skull);
+  segments_.clear();
+  handle_homes_.clear();
+  for (std::size_t s = 0; s < loaded.anatomy->segments.size(); ++s) {
+    const BoneSegment& segment = loaded.anatomy->segments[s];
+    segments_.push_back("segment " + segment.name);
+    handle_homes_.push_back(handle_home(loaded, segment));
+    scene_.set_bone(segments_[s], segment.mesh, segment_look, loaded.coarse_segments[s]);
+  }
   set_bone_visible(bone_visible_);
+  film_face_.resize(0, 3);
   change_.resize(0);
   change_outdated_ = true;
   dragging_ = false;  // attaching anew takes the grips out of a hand that holds one
   set_quick(false);
-  handle_.set_home(handle_home(loaded));
+  handle_.set_home(handle_homes_.front());
   handle_.attach(canvas_->renderWindow()->GetInteractor(), scene_.renderer());
   look_from(CameraPreset::three_quarter);
 }
 
-void FaceView::show_response(const Response& response, const Eigen::Vector3d& translation,
-                             const QString& words) {
+void FaceView::set_active_segment(std::size_t segment) {
+  handle_.set_home(handle_homes_[segment]);
+  render_soon();
+}
+
+void FaceView::show_response(const Response& response, const Eigen::Vector3d& translation) {
   response_ = response;
-  words_ = words;
   // While it is dragged the grip knows better: setting it would lose motions below the step that
   // the numbers are rounded to.
   if (!dragging_) handle_.set_translation(translation);
   show_points();
 }
 
+void FaceView::set_caption(const QString& caption) {
+  caption_ = caption;
+  show_caption();
+}
+
+void FaceView::show_film(const Points& face, const QString& caption) {
+  const bool begins = !is_film();
+  film_face_ = face;
+  film_caption_ = caption;
+  if (begins) {
+    set_quick(true);
+    show_change();
+  }
+  show_points();
+}
+
+void FaceView::end_film() {
+  if (!is_film()) return;
+  film_face_.resize(0, 3);
+  set_quick(false);
+  show_points();
+  show_change();
+}
+
 void FaceView::show_points() {
   if (!scene_.has_face() || response_.face.rows() != rest_.rows()) return;
-  scene_.set_face_points(before_ ? rest_ : response_.face);
-  scene_.set_bone_pose("segment", before_ ? RigidMotion{} : response_.pose);
+  scene_.set_face_points(before_ ? rest_ : is_film() ? film_face_ : response_.face);
+  for (std::size_t s = 0; s < segments_.size(); ++s) {
+    scene_.set_bone_pose(segments_[s], before_ ? RigidMotion{} : response_.poses[s]);
+  }
   handle_.set_visible(!before_);
   show_caption();
   if (!dragging_) render_soon();
 }
 
 void FaceView::show_caption() {
-  QString text = before_ ? tr("Before") : tr("Predicted: %1").arg(words_);
-  if (colour_map_ && !before_ && change_outdated_) {
+  QString text = before_ ? tr("Before") : is_film() ? film_caption_ : caption_;
+  if (colour_map_ && !before_ && !is_film() && change_outdated_) {
     text += "\n" + tr("colours follow when the motion rests");
   }
+  shown_caption_ = text;
   scene_.set_label(text.toStdString());
 }
 
@@ -159,7 +197,8 @@ void FaceView::mark_change_outdated() {
 }
 
 void FaceView::show_change() {
-  if (colour_map_ && !before_ && change_.size() == rest_.rows() && scene_.has_face()) {
+  if (colour_map_ && !before_ && !is_film() && change_.size() == rest_.rows() &&
+      scene_.has_face()) {
     scene_.show_colour_map(change_, 0, tr("mm").toStdString());
   } else {
     scene_.hide_colour_map();

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <QTimer>
 #include <QWidget>
+#include <string>
+#include <vector>
 
 #include "app/case_controller.h"
 #include "render/face_scene.h"
@@ -15,8 +17,8 @@ class vtkRenderer;
 
 namespace gnathion {
 
-/// The 3D view: textured face, skull, the segment in its pose, and the grips that move it. It shows
-/// what it is given and reports what the mouse does; it holds no model.
+/// The 3D view: textured face, skull, the segments in their poses, and the grips that move one. It
+/// shows what it is given and reports what the mouse does; it holds no model.
 class FaceView : public QWidget {
   Q_OBJECT
  public:
@@ -26,9 +28,15 @@ class FaceView : public QWidget {
   /// Replaces everything shown, seen from the front. Throws as FaceScene::set_face; what was shown
   /// is then unchanged.
   void show_case(const LoadedCase& loaded);
-  /// The segment moved and the face with it. words: for the caption.
-  void show_response(const Response& response, const Eigen::Vector3d& translation,
-                     const QString& words);
+  /// The segment that the grips belong to: one of the case's.
+  void set_active_segment(std::size_t segment);
+  /// The segments moved and the face with them. translation: of the active one, mm, LPS.
+  void show_response(const Response& response, const Eigen::Vector3d& translation);
+  void set_caption(const QString& caption);
+  /// A frame of a film in place of the response and its caption, until end_film(). face: n×3, mm,
+  /// LPS.
+  void show_film(const Points& face, const QString& caption);
+  void end_film();
   /// Colours for the signed change of the face, n values in mm; they stay until others come.
   void set_change(const Eigen::VectorXd& signed_mm);
   /// The colours no longer belong to the motion shown; the caption says so.
@@ -39,12 +47,14 @@ class FaceView : public QWidget {
   void set_face_textured(bool textured);
   void set_bone_visible(bool visible);
   void set_colour_map_visible(bool visible);
-  /// true: face and segment where they were before any motion, until it is switched off.
+  /// true: face and segments where they were before any motion, until it is switched off.
   void set_before_visible(bool visible);
 
   /// What is shown, without the grips, in the screen's own pixels.
   Picture picture();
   vtkRenderer* renderer() const { return scene_.renderer(); }
+  /// The words in the picture's corner.
+  const QString& caption() const { return shown_caption_; }
   /// The widget that receives the mouse.
   QWidget* canvas() const;
 
@@ -56,6 +66,7 @@ class FaceView : public QWidget {
  private:
   void set_up_camera_mouse();
   void set_quick(bool quick);
+  bool is_film() const { return film_face_.rows() > 0; }
   void show_points();
   void show_caption();
   void show_change();
@@ -68,7 +79,12 @@ class FaceView : public QWidget {
   QTimer render_timer_;  ///< many changes in one turn of the event loop: one frame
   Points rest_;
   Response response_;
-  QString words_;
+  QString caption_;        ///< of the response
+  QString shown_caption_;  ///< in the picture
+  Points film_face_;       ///< empty: no film is shown
+  QString film_caption_;
+  std::vector<std::string> segments_;          ///< their names in the scene
+  std::vector<Eigen::Vector3d> handle_homes_;  ///< of the segments
   Eigen::VectorXd change_;
   bool bone_visible_ = true;
   bool change_outdated_ = true;

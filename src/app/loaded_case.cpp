@@ -37,13 +37,16 @@ std::shared_ptr<const LoadedCase> load_case(const fs::path& file, Progress& prog
   loaded->anatomy = anatomy;
   // The future's destructor waits for its thread.
   std::future<void> coarse = std::async(std::launch::async, [anatomy, &loaded] {
-    loaded->coarse_skull = coarse_triangles(anatomy->cut.remainder);
-    loaded->coarse_segment = coarse_triangles(anatomy->cut.segment, 20000);
+    loaded->coarse_skull = coarse_triangles(anatomy->remainder);
+    for (const BoneSegment& segment : anatomy->segments) {
+      loaded->coarse_segments.push_back(coarse_triangles(segment.mesh, 20000));
+    }
   });
   require_showable(anatomy->face);
   loaded->model = std::make_shared<const FaceModel>(*anatomy, loaded->plan.region,
                                                     loaded->plan.tissue, progress);
-  loaded->landmarks = FaceLandmarks(loaded->plan.landmarks, anatomy->face.mesh.surface);
+  loaded->landmarks =
+      FaceLandmarks(loaded->plan.landmarks, anatomy->face.mesh.surface, anatomy->segments);
   const auto stage = progress.stage("bones for quick frames");
   coarse.get();
   progress.check();
@@ -76,18 +79,26 @@ fs::path cached_demo_case(const fs::path& cache, const fs::path& program, Progre
   return folder;
 }
 
-void export_prediction(const LoadedCase& loaded, const JawMotion& motion, const fs::path& folder,
+SurgicalCase plan_with(const LoadedCase& loaded, std::span<const JawMotion> motions) {
+  SurgicalCase plan = loaded.plan;
+  for (std::size_t s = 0; s < plan.segments.size(); ++s) plan.segments[s].motion = motions[s];
+  return plan;
+}
+
+void export_prediction(const LoadedCase& loaded, const SurgicalCase& plan,
+                       std::shared_ptr<const Prediction> prediction, const fs::path& folder,
                        Progress& progress) {
   NewFolder output(folder);
-  SurgicalCase plan = loaded.plan;
-  plan.motion = motion;
   const Anatomy& anatomy = *loaded.anatomy;
-  const Prediction prediction = make_prediction(plan, anatomy, *loaded.model, progress);
+  if (!prediction) {
+    prediction =
+        std::make_shared<const Prediction>(make_prediction(plan, anatomy, *loaded.model, progress));
+  }
   const auto stage = progress.stage("export");
   anatomy.face.document.write(output.path(), "predicted.obj",
-                              anatomy.face.file_vertices(prediction.face_points));
+                              anatomy.face.file_vertices(prediction->face_points));
   write_text_file(output.path() / "report.json",
-                  report_json(plan, anatomy, *loaded.model, prediction, progress));
+                  report_json(plan, anatomy, *prediction, progress));
   progress.check();
   output.publish();
 }

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "prediction/report.h"
 
@@ -15,8 +17,8 @@ struct LoadedCase {
   std::shared_ptr<const Anatomy> anatomy;
   std::shared_ptr<const FaceModel> model;
   FaceLandmarks landmarks;
-  Triangles coarse_skull;    ///< of the remainder, for frames while something moves
-  Triangles coarse_segment;  ///< of the segment, likewise
+  Triangles coarse_skull;                  ///< of the remainder, for frames while something moves
+  std::vector<Triangles> coarse_segments;  ///< of the segments, likewise
 };
 
 /// Reads a case file and computes all that a drag needs, on the calling thread and one helper.
@@ -30,10 +32,15 @@ std::shared_ptr<const LoadedCase> load_case(const std::filesystem::path& file, P
 std::filesystem::path cached_demo_case(const std::filesystem::path& cache,
                                        const std::filesystem::path& program, Progress& progress);
 
-/// Writes a new folder with the face predicted for `motion`: predicted.obj, which differs from the
-/// photograph in its v lines only, its MTL files and textures, and report.json.
+/// The case's plan with other motions, one a segment.
+SurgicalCase plan_with(const LoadedCase& loaded, std::span<const JawMotion> motions);
+
+/// Writes a new folder with the face predicted for `plan`: predicted.obj, which differs from the
+/// photograph in its v lines only, its MTL files and textures, and report.json. `prediction`: that
+/// of the plan, where it is known already; null: it is made.
 /// Throws Error(output) when the folder exists or cannot be written, as make_prediction otherwise.
-void export_prediction(const LoadedCase& loaded, const JawMotion& motion,
+void export_prediction(const LoadedCase& loaded, const SurgicalCase& plan,
+                       std::shared_ptr<const Prediction> prediction,
                        const std::filesystem::path& folder, Progress& progress);
 
 }  // namespace gnathion

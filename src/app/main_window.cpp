@@ -13,9 +13,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/answer_words.h"
 #include "app/face_view.h"
 #include "app/motion_panel.h"
-#include "app/motion_words.h"
 #include "base/error.h"
 #include "render/picture.h"
 #include "ui_main_window.h"
@@ -49,9 +49,11 @@ MainWindow::MainWindow(QWidget* parent)
   connect_file_actions();
   connect_view_actions();
   connect_motion();
+  connect_refinement();
+  connect_player();
   connect_work();
   update_enabled();
-  show_model_limits();
+  show_answer_words();
 }
 
 MainWindow::~MainWindow() = default;
@@ -143,11 +145,41 @@ void MainWindow::connect_motion() {
   connect(ui_->face_view, &FaceView::drag_ended, this, &MainWindow::show_motion);
   connect(&controller_, &CaseController::case_opened, this, &MainWindow::show_case);
   connect(&controller_, &CaseController::motion_changed, this, &MainWindow::show_motion);
-  connect(&controller_, &CaseController::checked_changed, this, &MainWindow::show_checked);
+  connect(panel_, &MotionPanel::segment_chosen, this, [this](int segment) {
+    controller_.set_active_segment(static_cast<std::size_t>(segment));
+  });
+  connect(&controller_, &CaseController::active_segment_changed, this,
+          &MainWindow::show_active_segment);
+}
+
+void MainWindow::connect_refinement() {
+  connect(&controller_, &CaseController::refinement_changed, this, &MainWindow::show_refinement);
+  connect(&controller_, &CaseController::refinement_stage, this, [this](const QString& stage) {
+    refinement_stage_ = stage;
+    show_answer_words();
+  });
+}
+
+void MainWindow::connect_player() {
+  connect(ui_->play_action, &QAction::triggered, this, &MainWindow::play_or_stop);
+  connect(&player_, &MotionPlayer::frame_due, this, &MainWindow::show_film_frame);
+  connect(&player_, &MotionPlayer::failed, ui_->message_bar, &MessageBar::show_failure);
+  for (const auto changed : {&MotionPlayer::began, &MotionPlayer::playing_began}) {
+    connect(&player_, changed, this, [this] {
+      show_answer_words();
+      update_enabled();
+    });
+  }
+  connect(&player_, &MotionPlayer::ended, this, [this] {
+    ui_->face_view->end_film();
+    show_answer_words();
+    update_enabled();
+  });
+  connect(&controller_, &CaseController::motion_changed, &player_, &MotionPlayer::stop);
 }
 
 void MainWindow::connect_work() {
-  connect(cancel_button_, &QToolButton::clicked, &controller_, &CaseController::cancel);
+  connect(cancel_button_, &QToolButton::clicked, this, &MainWindow::cancel);
   connect(&controller_, &CaseController::work_began, this, [this](const QString& what) {
     ui_->message_bar->hide();
     stage_label_->setText(what);
@@ -180,13 +212,30 @@ void MainWindow::update_enabled() {
   }
   ui_->export_action->setEnabled(any && !controller_.is_exporting());
   ui_->textured_action->setEnabled(any && has_texture(controller_.loaded()));
+  const auto moves = [](const JawMotion& motion) { return motion != JawMotion{}; };
+  const bool any_motion =
+      any && std::any_of(controller_.motions().begin(), controller_.motions().end(), moves);
+  ui_->play_action->setEnabled(any_motion);
+  ui_->play_action->setChecked(player_.is_running());
   panel_->setEnabled(any);
   opacity_slider_->setEnabled(any);
-  for (QWidget* widget :
-       std::initializer_list<QWidget*>{stage_label_, progress_bar_, cancel_button_}) {
-    widget->setVisible(working);
+  const bool refining = any && controller_.refinement() == Refinement::running;
+  for (QWidget* widget : std::initializer_list<QWidget*>{progress_bar_, cancel_button_}) {
+    widget->setVisible(working || refining || player_.is_computing());
   }
+  stage_label_->setVisible(working);
   model_label_->setVisible(!working);
+}
+
+/// What the status line says is being done.
+void MainWindow::cancel() {
+  if (controller_.is_working()) {
+    controller_.cancel();
+  } else if (player_.is_computing()) {
+    player_.stop();
+  } else {
+    controller_.stop_refining();
+  }
 }
 
 void MainWindow::open_case(const QString& file) {
@@ -270,9 +319,15 @@ void MainWindow::show_about() {
 }
 
 void MainWindow::show_case() {
+  player_.stop();
   const LoadedCase& loaded = controller_.loaded();
   ui_->pages->setCurrentWidget(ui_->view_page);
   ui_->face_view->show_case(loaded);
+  QStringList names;
+  for (const BoneSegment& segment : loaded.anatomy->segments) {
+    names << QString::fromStdString(segment.name);
+  }
+  panel_->set_segments(names);
   panel_->set_turns_enabled(loaded.plan.tissue.load == LoadModel::displacement);
   const QString name = QString::fromStdString(loaded.plan.name);
   setWindowTitle(tr("%1 – Gnathion").arg(name.isEmpty() ? tr("Case without a name") : name));
@@ -280,48 +335,71 @@ void MainWindow::show_case() {
 }
 
 void MainWindow::show_motion() {
+  if (controller_.refined() == nullptr) {
+    refinement_stage_.clear();
+    ui_->face_view->mark_change_outdated();
+  }
+  panel_->show_motion(controller_.motion());
+  show_response();
+  update_enabled();
+}
+
+void MainWindow::show_active_segment() {
+  panel_->show_active_segment(static_cast<int>(controller_.active_segment()));
+  panel_->show_motion(controller_.motion());
+  ui_->face_view->set_active_segment(controller_.active_segment());
+  show_response();
+}
+
+void MainWindow::show_response() {
   const JawMotion& motion = controller_.motion();
-  panel_->show_motion(motion);
   panel_->show_response(controller_.response());
-  if (controller_.checked() == nullptr) ui_->face_view->mark_change_outdated();
   ui_->face_view->show_response(controller_.response(),
-                                {motion.left_mm, -motion.forward_mm, motion.up_mm},
-                                motion_words(motion));
-  show_model_limits();
+                                {motion.left_mm, -motion.forward_mm, motion.up_mm});
+  show_answer_words();
 }
 
-void MainWindow::show_checked() {
-  ui_->face_view->set_change(controller_.checked()->signed_distance);
-  show_model_limits();
+void MainWindow::show_refinement() {
+  if (const Prediction* refined = controller_.refined()) {
+    show_response();
+    ui_->face_view->set_change(refined->signed_distance);
+  }
+  show_answer_words();
+  update_enabled();
 }
 
-void MainWindow::show_model_limits() {
+void MainWindow::show_answer_words() {
   if (!controller_.has_case()) {
     model_label_->setText(tr("No case is open"));
     return;
   }
-  const auto tets = controller_.loaded().model->problem().tissue.mesh.tets.rows();
-  QString text = tr("Linear tetrahedra: %1").arg(tets);
-  QString warning;
-  if (const Prediction* checked = controller_.checked()) {
-    if (checked->relative_residual > 0) {
-      text += tr(" · residual %1").arg(checked->relative_residual, 0, 'e', 0);
-    }
-    if (checked->inverted_after > 0) {
-      warning = tr(", %1 turned inside out").arg(checked->inverted_after);
-    }
-  }
-  const QString limit = tr("trust up to about %1 mm or %2°, see docs/evidence.md")
-                            .arg(trusted_shift_mm)
-                            .arg(trusted_turn_deg);
-  if (controller_.is_beyond_trust()) {
-    text += QString(" · <b style='color:#b35900'>%1</b>")
-                .arg(tr("beyond the linear model's range%1: %2").arg(warning, limit));
+  const AnswerWords words = answer_words(controller_, refinement_stage_);
+  ui_->face_view->set_caption(
+      tr("Predicted: %1\n%2").arg(motions_words(controller_), words.caption));
+  QString status = words.status.toHtmlEscaped();
+  if (words.warning) status = QString("<b style='color:#b35900'>%1</b>").arg(status);
+  if (player_.is_computing()) status = tr("computing the motion in time");
+  model_label_->setText(status);
+  model_label_->setToolTip(words.explanation);
+}
+
+void MainWindow::play_or_stop() {
+  if (player_.is_running()) {
+    player_.stop();
   } else {
-    text += tr("%1 · linear model: %2").arg(warning, limit);
+    player_.start(controller_.shared_case(), controller_.response().poses);
   }
-  model_label_->setText(text);
-  model_label_->setToolTip(text);
+}
+
+void MainWindow::show_film_frame(const Points& face, double time_s) {
+  const DynamicsOptions& dynamics = player_.options().dynamics;
+  ui_->face_view->show_film(face,
+                            tr("%1 ms after the bone moved, played %2 times slower\n"
+                               "damped motion, α %3/s, β %4 s, linear model on linear elements")
+                                .arg(1000 * time_s, 0, 'f', 0)
+                                .arg(MotionPlayer::slower)
+                                .arg(dynamics.alpha)
+                                .arg(dynamics.beta));
 }
 
 void MainWindow::drag_segment(const Eigen::Vector3d& translation) {

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/case_controller.h"
+#include "app/motion_player.h"
 
 class QFileDialog;
 class QLabel;
@@ -28,6 +29,7 @@ class MainWindow : public QMainWindow {
   ~MainWindow() override;
 
   CaseController& controller() { return controller_; }
+  MotionPlayer& player() { return player_; }
   FaceView& face_view();
   void open_case(const QString& file);
   void open_demo_case();
@@ -38,6 +40,8 @@ class MainWindow : public QMainWindow {
   void connect_file_actions();
   void connect_view_actions();
   void connect_motion();
+  void connect_refinement();
+  void connect_player();
   void connect_work();
   void update_enabled();
 
@@ -49,8 +53,13 @@ class MainWindow : public QMainWindow {
 
   void show_case();
   void show_motion();
-  void show_checked();
-  void show_model_limits();
+  void show_active_segment();
+  void show_response();
+  void show_refinement();
+  void show_answer_words();
+  void show_film_frame(const Points& face, double time_s);
+  void play_or_stop();
+  void cancel();
   void drag_segment(const Eigen::Vector3d& translation);
 
   std::unique_ptr<Ui::MainWindow> ui_;
@@ -60,7 +69,10 @@ class MainWindow : public QMainWindow {
   QProgressBar* progress_bar_ = nullptr;
   QToolButton* cancel_button_ = nullptr;
   QLabel* model_label_ = nullptr;
-  CaseController controller_;  ///< last: its workers stop before any widget goes
+  QString refinement_stage_;
+  // Last: their workers stop before any widget goes.
+  CaseController controller_;
+  MotionPlayer player_;
 };
 
 }  // namespace gnathion

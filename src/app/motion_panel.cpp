@@ -1,5 +1,6 @@
 #include "app/motion_panel.h"
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHeaderView>
 #include <QLocale>
@@ -46,6 +47,9 @@ MotionPanel::MotionPanel(QWidget* parent)
             [this] { emit motion_edited(motion_shown()); });
   }
   connect(ui_->reset_button, &QPushButton::clicked, this, [this] { emit motion_edited({}); });
+  connect(ui_->segment_box, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+          &MotionPanel::segment_chosen);
+  ui_->segment_box->hide();
   QHeaderView* header = ui_->landmark_table->horizontalHeader();
   header->setSectionResizeMode(0, QHeaderView::Stretch);
   header->setSectionResizeMode(1, QHeaderView::ResizeToContents);
@@ -60,6 +64,18 @@ JawMotion MotionPanel::motion_shown() const {
   JawMotion motion;
   for (std::size_t i = 0; i < boxes_.size(); ++i) motion.*members()[i] = boxes_[i]->value();
   return motion;
+}
+
+void MotionPanel::set_segments(const QStringList& names) {
+  const QSignalBlocker silent(ui_->segment_box);
+  ui_->segment_box->clear();
+  ui_->segment_box->addItems(names);
+  ui_->segment_box->setVisible(names.size() > 1);
+}
+
+void MotionPanel::show_active_segment(int segment) {
+  const QSignalBlocker silent(ui_->segment_box);
+  ui_->segment_box->setCurrentIndex(segment);
 }
 
 void MotionPanel::show_motion(const JawMotion& motion) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 #include <array>
 #include <memory>
@@ -13,13 +14,16 @@ class MotionPanel;
 
 namespace gnathion {
 
-/// The numbers of a motion in anatomical words, and what the face does.
+/// The active segment, the numbers of its motion in anatomical words, and what the face does.
 class MotionPanel : public QWidget {
   Q_OBJECT
  public:
   explicit MotionPanel(QWidget* parent = nullptr);
   ~MotionPanel() override;
 
+  /// What the segments are called; the choice is hidden where there is one.
+  void set_segments(const QStringList& names);
+  void show_active_segment(int segment);
   /// Shows a motion without reporting it as edited.
   void show_motion(const JawMotion& motion);
   void show_response(const Response& response);
@@ -28,6 +32,7 @@ class MotionPanel : public QWidget {
 
  signals:
   void motion_edited(const gnathion::JawMotion& motion);
+  void segment_chosen(int segment);
 
  private:
   JawMotion motion_shown() const;

@@ -1,5 +1,6 @@
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
@@ -15,6 +16,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <future>
 #include <memory>
@@ -52,6 +55,7 @@ struct User {
   QDoubleSpinBox* box(const char* name) const { return find<QDoubleSpinBox>(name); }
   QOpenGLWidget* canvas() const { return find<QOpenGLWidget>("face_canvas"); }
   QString label(const char* name) const { return find<QLabel>(name)->text(); }
+  QString caption() const { return window.face_view().caption(); }
   bool message_visible() const { return find<QWidget>("message_bar")->isVisible(); }
 
   void click(const char* button) const {
@@ -119,10 +123,12 @@ struct User {
   }
 };
 
+/// The quick answer, of a case with one segment.
 Points predicted(const CaseController& model, const JawMotion& motion) {
   Points points;
   const LoadedCase& loaded = model.loaded();
-  loaded.model->predict(rigid_motion(motion, loaded.anatomy->pivot), points);
+  const std::array motions{rigid_motion(motion, loaded.anatomy->segments[0].pivot)};
+  loaded.model->predict(motions, points);
   return points;
 }
 
@@ -156,7 +162,14 @@ class WindowTest : public QObject {
   void keysAndActionsPlaceTheCamera();
   void viewSwitchesChangeThePicture();
   void readoutsFollowTheMotion();
-  void statusSaysWhatTheModelIsGoodFor();
+  void refinedAnswerReplacesTheQuickOne();
+  void dragReturnsToTheQuickAnswer();
+  void betterModelsAnswerWhereTheToleranceAsks();
+  void refiningCanBeCancelled();
+  void motionThatIsTooLargeKeepsTheQuickAnswer();
+  void eachSegmentHasItsMotion();
+  void motionInTimeIsPlayed();
+  void playingStopsWhenAsked();
   void exportChangesVertexLinesOnly();
   void exportWithoutMotionEqualsTheImport();
   void exportOntoSomethingThatExistsIsRefused();
@@ -186,7 +199,21 @@ class WindowTest : public QObject {
     write_case_file(plan, file.toStdString());
     return file;
   }
-  /// Opens a case and waits until it is on screen and checked.
+  /// The demo case with its jaw in two halves, left and right.
+  QString two_segments() const {
+    return changed_case("two.json", [](SurgicalCase& plan) {
+      BoxCut half = std::get<BoxCut>(plan.segments[0].cut);
+      const Eigen::Vector3d centre = half.centre;
+      half.half_extents.x() = half.half_extents.x() / 2 - 0.25;
+      plan.segments.assign(2, {});
+      for (const std::size_t side : {0U, 1U}) {
+        half.centre.x() = centre.x() + (side == 0 ? 1 : -1) * (half.half_extents.x() + 0.25);
+        plan.segments[side].name = side == 0 ? "left" : "right";
+        plan.segments[side].cut = half;
+      }
+    });
+  }
+  /// Opens a case and waits until it is on screen.
   static void open(MainWindow& window, const QString& file) {
     window.open_case(file);
     QTRY_VERIFY_WITH_TIMEOUT(!window.controller().is_working(), patience);
@@ -244,8 +271,8 @@ void WindowTest::demoCaseOpensFromItsButton() {
   QCOMPARE(user.box("forward_box")->value(), 6.0);
   QVERIFY(!user.find<QToolButton>("cancel_button")->isVisible());
   QVERIFY(window.windowTitle().startsWith("embedded default case"));
-  QTRY_VERIFY_WITH_TIMEOUT(user.model().checked() != nullptr, patience);
-  QVERIFY(user.model().checked()->relative_residual < 1e-8);
+  QTRY_VERIFY_WITH_TIMEOUT(user.model().refined() != nullptr, patience);
+  QVERIFY(user.model().refined()->relative_residual < 1e-8);
   // The second time it is there already.
   const fs::path file = user.model().loaded().file;
   const auto written = fs::last_write_time(file);
@@ -377,7 +404,7 @@ void WindowTest::viewSwitchesChangeThePicture() {
   FaceView& view = window_->face_view();
   user.look_from("three_quarter_action");
   user.type("forward_box", "6");
-  QTRY_VERIFY_WITH_TIMEOUT(user.model().checked() != nullptr, patience);
+  QTRY_VERIFY_WITH_TIMEOUT(user.model().refined() != nullptr, patience);
   const Picture plain = view.picture();
   for (const char* name :
        {"textured_action", "bone_action", "before_action", "colour_map_action"}) {
@@ -407,28 +434,221 @@ void WindowTest::readoutsFollowTheMotion() {
   const double mean = user.label("mean_value").section(' ', 0, 0).toDouble();
   QVERIFY(largest > 5.5 && largest < 7);
   QVERIFY(mean > 1 && mean < largest);
-  // The same as the check of the whole prediction finds.
-  QTRY_VERIFY_WITH_TIMEOUT(user.model().checked() != nullptr, patience);
-  const Prediction& checked = *user.model().checked();
-  QCOMPARE(user.model().response().displacement.p95, checked.displacement.p95);
+  // They become those of the refined answer.
+  QTRY_VERIFY_WITH_TIMEOUT(user.model().refined() != nullptr, patience);
+  const Prediction& refined = *user.model().refined();
+  QCOMPARE(user.label("p95_value"), QString("%1 mm").arg(refined.displacement.p95, 0, 'f', 1));
   for (const auto& [name, landmark] : user.model().response().landmarks) {
-    QCOMPARE(landmark.ratio, checked.landmarks.at(name).ratio);
+    QCOMPARE(landmark.ratio, refined.landmarks.at(name).ratio);
   }
 }
 
-void WindowTest::statusSaysWhatTheModelIsGoodFor() {
+void WindowTest::refinedAnswerReplacesTheQuickOne() {
   const User user = this->user();
+  const CaseController& model = user.model();
+  user.type("forward_box", "6");
+  QVERIFY(model.refinement() == Refinement::waiting);
+  QVERIFY(model.refined() == nullptr);
+  QVERIFY(user.caption().contains("6 mm forward"));
+  QVERIFY(user.caption().contains("quick answer, linear model"));
+  QVERIFY(user.label("model_label").contains("quick answer, linear model on linear elements"));
+  QTRY_VERIFY_WITH_TIMEOUT(model.refinement() == Refinement::running, patience);
+  QVERIFY(user.label("model_label").contains("being refined"));
+  QVERIFY(user.find<QToolButton>("cancel_button")->isVisible());
+  QTRY_VERIFY_WITH_TIMEOUT(model.refinement() == Refinement::done, patience);
+  QVERIFY(!user.find<QToolButton>("cancel_button")->isVisible());
+  const Prediction& refined = *model.refined();
+  QVERIFY(model.response().face == refined.face_points);
+  QVERIFY(refined.answer.quick_error.total.p95 > 0);
+  const QString error = QString::number(refined.answer.error.total.p95, 'f', 2) + " mm";
+  QVERIFY(user.caption().contains("estimated error " + error));
+  QVERIFY(user.label("model_label").contains("estimated error " + error));
+  QVERIFY(user.find<QLabel>("model_label")
+              ->toolTip()
+              .startsWith(QString::fromStdString(refined.answer.why)));
+  // The next motion is answered at once, by the quick model again.
   user.type("forward_box", "5");
-  QVERIFY(!user.model().is_beyond_trust());
-  QVERIFY(user.label("model_label").contains("trust up to about 5 mm or 10"));
-  QVERIFY(!user.label("model_label").contains("beyond"));
-  user.type("up_box", "0.5");
-  QVERIFY(user.label("model_label").contains("beyond"));
-  reset_motion();
-  user.type("pitch_box", "10");
-  QVERIFY(!user.model().is_beyond_trust());
-  user.type("yaw_box", "3");
-  QVERIFY(user.model().is_beyond_trust());
+  QVERIFY(model.refined() == nullptr);
+  QVERIFY(model.response().face == predicted(model, {.forward_mm = 5}));
+  QVERIFY(user.caption().contains("quick answer"));
+  QVERIFY(!user.caption().contains("estimated"));
+}
+
+void WindowTest::dragReturnsToTheQuickAnswer() {
+  const User user = this->user();
+  const CaseController& model = user.model();
+  user.type("forward_box", "6");
+  QTRY_VERIFY_WITH_TIMEOUT(model.refinement() == Refinement::done, patience);
+  user.look_from("left_action");
+  const QPoint grip = user.grip();
+  user.drag(grip, grip + QPoint(-12, 0), [&] {
+    QVERIFY(model.motion().forward_mm > 6);
+    QVERIFY(model.refined() == nullptr);
+    QVERIFY(model.response().face == predicted(model, model.motion()));
+    QVERIFY(user.caption().contains("quick answer"));
+    // The hand rests, and the refined answer comes while it holds the grip.
+    QTRY_VERIFY_WITH_TIMEOUT(model.refinement() == Refinement::done, patience);
+    QVERIFY(model.response().face == model.refined()->face_points);
+  });
+  QVERIFY(model.refinement() == Refinement::done);
+}
+
+void WindowTest::betterModelsAnswerWhereTheToleranceAsks() {
+  MainWindow window;
+  const User user{window};
+  window.show();
+  const CaseController& model = user.model();
+  open(window, changed_case("exact.json", [](SurgicalCase& plan) {
+         plan.tissue.strain = Strain::large;
+         plan.tissue.elements = Elements::linear;
+         plan.tissue.tolerance_mm = 1e-4;
+       }));
+  QTRY_VERIFY_WITH_TIMEOUT(model.refinement() == Refinement::done, patience);
+  QVERIFY(model.refined()->answer.large_strain);
+  QVERIFY((model.response().face - predicted(model, model.motion())).norm() > 0.1);
+  QVERIFY(user.caption().contains("neo-Hookean model on linear elements"));
+  // What is estimated above the tolerance is told as a warning.
+  QVERIFY(user.label("model_label").contains("above the tolerance of 0.00 mm"));
+  QVERIFY(user.label("model_label").contains("#b35900"));
+  QVERIFY(user.caption().contains("above the tolerance"));
+}
+
+void WindowTest::refiningCanBeCancelled() {
+  const User user = this->user();
+  user.type("forward_box", "6");
+  QTRY_VERIFY_WITH_TIMEOUT(user.model().refinement() == Refinement::running, patience);
+  user.click("cancel_button");
+  QVERIFY(user.model().refinement() == Refinement::stopped);
+  QVERIFY(!user.find<QToolButton>("cancel_button")->isVisible());
+  QVERIFY(user.label("model_label").contains("not refined"));
+  QTest::qWait(1500);  // longer than it takes
+  QVERIFY(user.model().refinement() == Refinement::stopped);
+  QVERIFY(user.model().response().face == predicted(user.model(), {.forward_mm = 6}));
+  QVERIFY(!user.message_visible());
+  user.type("forward_box", "5");
+  QTRY_VERIFY_WITH_TIMEOUT(user.model().refinement() == Refinement::done, patience);
+}
+
+void WindowTest::motionThatIsTooLargeKeepsTheQuickAnswer() {
+  MainWindow window;
+  const User user{window};
+  window.show();
+  open(window, changed_case("large.json", [](SurgicalCase& plan) {
+         plan.tissue.strain = Strain::large;
+         plan.segments[0].motion = {};
+       }));
+  const JawMotion motion{.forward_mm = -30, .up_mm = 30, .yaw_deg = 30};
+  user.model().set_motion(motion);
+  QTRY_VERIFY_WITH_TIMEOUT(user.model().refinement() == Refinement::refused, patience);
+  QVERIFY(user.message_visible());
+  QVERIFY(!user.label("message_remedy").isEmpty());
+  QVERIFY(user.model().response().face == predicted(user.model(), motion));
+  QVERIFY(user.label("model_label").contains("not refined"));
+  QVERIFY(user.label("model_label").contains("#b35900"));
+  QVERIFY(user.caption().contains("quick answer"));
+  QVERIFY(user.caption().contains("not refined"));
+}
+
+void WindowTest::eachSegmentHasItsMotion() {
+  MainWindow window;
+  const User user{window};
+  window.show();
+  const CaseController& model = user.model();
+  open(window, two_segments());
+  QVERIFY2(model.has_case(), qPrintable(user.label("message_text")));
+  auto* choice = user.find<QComboBox>("segment_box");
+  QVERIFY(choice->isVisible());
+  QVERIFY(!this->user().find<QComboBox>("segment_box")->isVisible());
+  QCOMPARE(choice->count(), 2);
+  QCOMPARE(choice->itemText(1), QString("right"));
+  const auto poses_are = [&](const JawMotion& left, const JawMotion& right) {
+    const std::vector<BoneSegment>& segments = model.loaded().anatomy->segments;
+    const std::array poses{rigid_motion(left, segments[0].pivot),
+                           rigid_motion(right, segments[1].pivot)};
+    Points face;
+    model.loaded().model->predict(poses, face);
+    return model.response().face == face &&
+           model.response().poses[0].translation == poses[0].translation &&
+           model.response().poses[1].translation == poses[1].translation;
+  };
+  user.type("forward_box", "3");
+  user.look_from("front_action");
+  const QPoint left_grip = user.grip();
+  QVERIFY(poses_are({.forward_mm = 3}, {}));
+  // The other segment: its numbers, its grips.
+  choice->setFocus();
+  QTest::keyClick(choice, Qt::Key_Down);
+  QCOMPARE(model.active_segment(), std::size_t{1});
+  QCOMPARE(user.box("forward_box")->value(), 0.0);
+  QTest::qWait(300);
+  QVERIFY(user.grip().x() < left_grip.x() - 20);  // the patient's right is the picture's left
+  const QPoint right_grip = user.grip();
+  user.drag(right_grip, right_grip + QPoint(0, 20));
+  const JawMotion right = model.motion();
+  QVERIFY(right.up_mm < -1 && model.motions()[0] == JawMotion{.forward_mm = 3});
+  QVERIFY(poses_are({.forward_mm = 3}, right));
+  QVERIFY(user.caption().contains("left: 3 mm forward\nright: "));
+  // Both are in what is refined and exported.
+  QTRY_VERIFY_WITH_TIMEOUT(model.refinement() == Refinement::done, patience);
+  QCOMPARE(model.refined()->motions.size(), std::size_t{2});
+  const fs::path out = path("two").toStdString();
+  window.controller().export_face(out);
+  QTRY_VERIFY_WITH_TIMEOUT(!model.is_working(), patience);
+  const QString report = QString::fromStdString(read_text_file(out / "report.json"));
+  QVERIFY(report.contains("\"forward_mm\": 3"));
+  QVERIFY(report.contains(QString("\"up_mm\": %1").arg(right.up_mm)));
+}
+
+void WindowTest::motionInTimeIsPlayed() {
+  const User user = this->user();
+  MotionPlayer& player = window_->player();
+  QAction* play = user.action("play_action");
+  QVERIFY(!play->isEnabled());  // nothing has moved
+  user.type("forward_box", "6");
+  QTRY_VERIFY_WITH_TIMEOUT(user.model().refinement() == Refinement::done, patience);
+  const Picture predicted_face = window_->face_view().picture();
+  const Points rest = user.model().loaded().anatomy->face.mesh.surface.vertices;
+  const Points quick = predicted(user.model(), {.forward_mm = 6});
+  std::vector<double> times, distances;
+  const auto listener =
+      connect(&player, &MotionPlayer::frame_due, [&](const Points& face, double time_s) {
+        times.push_back(time_s);
+        distances.push_back((face - quick).norm());
+      });
+  QSignalSpy ended(&player, &MotionPlayer::ended);
+  play->trigger();
+  QVERIFY(play->isChecked());
+  QTRY_VERIFY_WITH_TIMEOUT(times.size() > 1, patience);
+  QVERIFY(user.caption().contains("20 times slower"));
+  QVERIFY(user.caption().contains("damped motion"));
+  QVERIFY(differing_pixels(predicted_face, window_->face_view().picture()) > 500);
+  QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, patience);
+  QVERIFY(!play->isChecked());
+  disconnect(listener);
+  // From rest, ever nearer to the linear model's answer, and then back to the prediction.
+  QCOMPARE(times.front(), 0.0);
+  QVERIFY(std::is_sorted(times.begin(), times.end()));
+  QVERIFY(std::abs(distances.front() - (rest - quick).norm()) < 1e-6);
+  QVERIFY(distances.back() < 0.01 * distances.front());
+  QVERIFY(user.caption().contains("estimated error"));
+  QVERIFY(differing_pixels(predicted_face, window_->face_view().picture()) < 20);
+}
+
+void WindowTest::playingStopsWhenAsked() {
+  const User user = this->user();
+  MotionPlayer& player = window_->player();
+  user.type("forward_box", "6");
+  user.canvas()->setFocus();
+  QTest::keyClick(user.canvas(), Qt::Key_P);  // computing
+  QVERIFY(player.is_computing());
+  QTest::keyClick(user.canvas(), Qt::Key_P);
+  QVERIFY(!player.is_running());
+  QTest::keyClick(user.canvas(), Qt::Key_P);
+  QTRY_VERIFY_WITH_TIMEOUT(player.is_playing(), patience);
+  user.type("forward_box", "5");
+  QVERIFY(!player.is_running());
+  QVERIFY(user.caption().contains("5 mm forward"));
+  QVERIFY(user.model().response().face == predicted(user.model(), {.forward_mm = 5}));
 }
 
 void WindowTest::exportChangesVertexLinesOnly() {
@@ -690,7 +910,7 @@ void WindowTest::modelOfForcesDoesNotTurn() {
   window.show();
   open(window, changed_case("forces.json", [](SurgicalCase& plan) {
          plan.tissue.load = LoadModel::force;
-         plan.motion = {.forward_mm = 2};
+         plan.segments[0].motion = {.forward_mm = 2};
        }));
   QVERIFY(user.model().has_case());
   QVERIFY(!user.box("pitch_box")->isEnabled());

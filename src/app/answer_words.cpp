@@ -1,0 +1,109 @@
+#include "app/answer_words.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+#include "app/motion_words.h"
+
+namespace gnathion {
+namespace {
+
+QString words(const char* text) {
+  return QCoreApplication::translate("answer", text);
+}
+
+QString mm(double value) {
+  return QLocale().toString(value, 'f', 2) + " mm";
+}
+
+QString model_name(ElementOrder order, bool large_strain) {
+  const bool quadratic = order == ElementOrder::quadratic;
+  if (large_strain) {
+    return quadratic ? words("neo-Hookean model on quadratic elements")
+                     : words("neo-Hookean model on linear elements");
+  }
+  return quadratic ? words("linear model on quadratic elements")
+                   : words("linear model on linear elements");
+}
+
+AnswerWords words_of(const Prediction& prediction, const CaseController& model) {
+  const Answer& answer = prediction.answer;
+  const double tolerance = model.loaded().plan.tissue.tolerance_mm;
+  const QString name = model_name(answer.order, answer.large_strain);
+  const QString error = words("estimated error %1").arg(mm(answer.error.total.p95));
+  AnswerWords said;
+  said.caption = name + ", " + error;
+  said.status = name + QString::fromUtf8(" · ") + error + words(" on 95 % of the face");
+  if (!answer.error.within(tolerance)) {
+    said.warning = true;
+    said.caption += words(", above the tolerance");
+    said.status += words(", above the tolerance of %1").arg(mm(tolerance));
+  }
+  QStringList sentences{
+      QString::fromStdString(answer.why),
+      words("The quick answer shown while dragging differs by %1 on 95 % of the face.")
+          .arg(mm(prediction.quick_mm))};
+  if (prediction.inverted_after > 0) {
+    const QString inverted =
+        words("%1 tetrahedra are turned inside out").arg(prediction.inverted_after);
+    said.warning = true;
+    said.status += ", " + inverted;
+    sentences << inverted;
+  }
+  sentences << words("%1 tetrahedra, relative residual %2.")
+                   .arg(model.loaded().model->problem().tissue.mesh.tets.rows())
+                   .arg(prediction.relative_residual, 0, 'e', 0);
+  said.explanation = sentences.join("\n");
+  return said;
+}
+
+}  // namespace
+
+AnswerWords answer_words(const CaseController& model, const QString& stage) {
+  if (const Prediction* prediction = model.refined()) return words_of(*prediction, model);
+  const QString name = model_name(model.loaded().model->order(), false);
+  AnswerWords said;
+  const QString quick = words("quick answer, %1").arg(name);
+  const auto say = [&](const QString& state, const QString& sentence) {
+    said.caption = quick + state;
+    said.status = quick + state;
+    said.explanation = sentence;
+  };
+  switch (model.refinement()) {
+    case Refinement::waiting:
+    case Refinement::done:
+      say({}, words("Its error is estimated, and a better model asked, when the motion rests."));
+      break;
+    case Refinement::running:
+      say(words(", being refined"), words("Its error is estimated, and a better model asked."));
+      if (!stage.isEmpty()) said.status += QString::fromUtf8(" · ") + stage;
+      break;
+    case Refinement::refused:
+      say(words(", not refined"),
+          words("No better model can follow this motion; the error of what is shown is not known. "
+                "Choose a smaller motion."));
+      said.warning = true;
+      break;
+    case Refinement::stopped:
+      say(words(", not refined"),
+          words("The refinement was cancelled; the error of what is shown is not known. It begins "
+                "again with the next motion."));
+      said.warning = true;
+      break;
+  }
+  return said;
+}
+
+QString motions_words(const CaseController& model) {
+  const std::vector<JawMotion>& motions = model.motions();
+  if (motions.size() == 1) return motion_words(motions[0]);
+  QStringList lines;
+  for (std::size_t s = 0; s < motions.size(); ++s) {
+    lines << words("%1: %2").arg(QString::fromStdString(model.loaded().anatomy->segments[s].name),
+                                 motion_words(motions[s]));
+  }
+  return lines.join("\n");
+}
+
+}  // namespace gnathion

@@ -12,7 +12,7 @@ namespace gnathion {
 class QuadraticCorrection {
  public:
   /// Iterations that make an estimate; docs/evidence.md has its effectivity.
-  static constexpr int kEstimate = 6;
+  static constexpr int kEstimate = 12;
 
   /// `linear`: a solver on linear elements; must outlive this.
   QuadraticCorrection(const StaticSolver& linear, Progress& progress);

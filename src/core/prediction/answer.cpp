@@ -1,6 +1,7 @@
 #include "prediction/answer.h"
 
 #include <cstdio>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -9,11 +10,11 @@
 namespace gnathion {
 namespace {
 
-/// Lengths of a field of the tissue on the face's moving vertices, mm.
-Eigen::VectorXd lengths_on_face(const FaceModel& model, const Points& field) {
-  const Points on_face =
-      model.problem().surface_map * field.topRows(model.problem().tissue.surface_count);
-  return on_face(model.moving_vertices(), Eigen::all).rowwise().norm();
+/// Sizes at the tissue's vertices on the face's moving vertices, mm.
+Eigen::VectorXd on_face(const FaceModel& model, const Eigen::VectorXd& sizes) {
+  const Eigen::VectorXd all =
+      model.problem().surface_map * sizes.head(model.problem().tissue.surface_count);
+  return all(model.moving_vertices());
 }
 
 FaceError face_error(Eigen::VectorXd discretisation, Eigen::VectorXd linearisation) {
@@ -22,101 +23,163 @@ FaceError face_error(Eigen::VectorXd discretisation, Eigen::VectorXd linearisati
   return error;
 }
 
-/// What a model leaves of the quick answer's errors.
-FaceError remaining(const FaceError& quick, bool quadratic, bool large_strain) {
-  return face_error(quick.discretisation * (quadratic ? kQuadraticRest : 1),
-                    quick.linearisation * (large_strain ? 0 : 1));
-}
-
 struct Choice {
-  bool quadratic, large_strain;
+  bool quadratic = false, large_strain = false;
 };
 
-/// The choices that are allowed, the cheapest first: a correction takes less than a large strain.
-std::vector<Choice> ladder(const TissueModel& wanted, ElementOrder given) {
+/// What a model leaves of the errors estimated for linear elements and small strain.
+FaceError remaining(const FaceError& linear, Choice choice) {
+  const double small_strain = choice.large_strain ? 0
+                              : choice.quadratic  ? kSmallStrainOnQuadratic
+                                                  : 1;
+  return face_error(linear.discretisation * (choice.quadratic ? kQuadraticRest : 1),
+                    linear.linearisation * small_strain);
+}
+
+/// The choices that are allowed, the cheapest first.
+std::vector<Choice> ladder(const TissueModel& wanted, const FaceModel& model) {
   std::vector<Choice> choices;
+  const Eigen::Index tets = model.problem().tissue.mesh.tets.rows();
   for (const bool large : {false, true}) {
     for (const bool quadratic : {false, true}) {
       const bool force = wanted.load == LoadModel::force;
       if (force && (large || quadratic)) continue;
       if (wanted.elements == Elements::linear && quadratic) continue;
       if (wanted.elements == Elements::quadratic && !quadratic) continue;
-      if (given == ElementOrder::quadratic && !quadratic) continue;
       if (wanted.strain == Strain::small && large) continue;
       if (wanted.strain == Strain::large && !large) continue;
+      const bool chosen_both =
+          wanted.elements == Elements::quadratic && wanted.strain == Strain::large;
+      if (quadratic && large && tets > kMostTetsForBoth && !chosen_both) continue;
       choices.push_back({quadratic, large});
     }
   }
   return choices;
 }
 
-std::string words(const Choice& choice, const FaceError& quick, const FaceError& left,
-                  const TissueModel& wanted) {
-  const std::string name = std::string(choice.large_strain ? "neo-Hookean" : "linear") +
-                           " model on " + (choice.quadratic ? "quadratic" : "linear") + " elements";
-  const bool chosen = wanted.elements == Elements::automatic || wanted.strain == Strain::automatic;
-  char text[200];
-  std::snprintf(text, sizeof text,
-                ", estimated error %.2f mm on 95 %% of the face (tolerance %.2f mm)",
-                left.total.p95, wanted.tolerance_mm);
-  std::string sentence = name + text;
-  const bool escalated = chosen && (choice.large_strain || choice.quadratic);
-  if (escalated) {
-    std::snprintf(text, sizeof text,
-                  "; the linear model on linear elements would be off by %.2f mm (elements) and "
-                  "%.2f mm (small strain)",
-                  distance_statistics(quick.discretisation).p95,
-                  distance_statistics(quick.linearisation).p95);
-    sentence += text;
+/// Errors of linear elements and small strain, estimated for these displacements.
+FaceError estimated_error(const FaceModel& model, const Points& linear, Progress& progress) {
+  const auto stage = progress.stage("estimate the error");
+  Points correction = Points::Zero(linear.rows(), 3);
+  if (model.load() == LoadModel::displacement) {
+    correction = model.estimated_correction(linear, progress);
   }
-  if (!left.within(wanted.tolerance_mm)) sentence += "; no better model is offered on this mesh";
+  return face_error(on_face(model, correction.rowwise().norm()),
+                    on_face(model, linearisation_error(model.solver(), linear)));
+}
+
+std::string millimetres(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f mm", value);
+  return text;
+}
+
+std::string words(const Answer& answer, Choice choice, const FaceError& linear,
+                  const TissueModel& wanted) {
+  std::string sentence = std::string(choice.large_strain ? "neo-Hookean" : "linear") +
+                         " model on " + std::to_string(answer.tissue->tissue.mesh.tets.rows()) +
+                         (choice.quadratic ? " quadratic" : " linear") +
+                         " tetrahedra, estimated error " + millimetres(answer.error.total.p95) +
+                         " on 95 % of the face (tolerance " + millimetres(wanted.tolerance_mm) +
+                         ")";
+  const bool chosen = wanted.elements == Elements::automatic || wanted.strain == Strain::automatic;
+  if (chosen && (choice.large_strain || choice.quadratic)) {
+    sentence += "; the linear model on linear ones would be off by " +
+                millimetres(distance_statistics(linear.discretisation).p95) + " (elements) and " +
+                millimetres(distance_statistics(linear.linearisation).p95) + " (small strain)";
+  }
   return sentence;
+}
+
+/// The neo-Hookean displacements of the first `vertex_count` nodes of the solver's mesh.
+void set_neo_hookean(const StaticSolver& solver, std::span<const RigidMotion> motions,
+                     Eigen::Index vertex_count, Answer& answer, Progress& progress) {
+  const Points& nodes = solver.elements().nodes;
+  const MotionPath path = bone_path(nodes, solver.supports(), {motions.begin(), motions.end()});
+  const NeoHookeanSolution large =
+      NeoHookeanSolver(solver).solve(path, Points::Zero(nodes.rows(), 3), progress);
+  answer.displacements = large.displacements.topRows(vertex_count);
+  answer.neo_hookean_residual = large.relative_residual;
+  answer.load_steps = large.load_steps;
+}
+
+/// The answer of one choice.
+Answer answer_by(Choice choice, const FaceModel& model, const FaceError& linear_error,
+                 const Points& linear, const TissueModel& wanted,
+                 std::span<const RigidMotion> motions, Progress& progress) {
+  Answer answer;
+  answer.tissue = model.problem_ptr();
+  answer.order = choice.quadratic ? ElementOrder::quadratic : ElementOrder::linear;
+  answer.large_strain = choice.large_strain;
+  answer.error = remaining(linear_error, choice);
+  if (choice.large_strain) {
+    const auto stage = progress.stage("large strain");
+    set_neo_hookean(choice.quadratic ? model.quadratic_solver(progress) : model.solver(), motions,
+                    linear.rows(), answer, progress);
+  } else {
+    answer.displacements = linear;
+    if (choice.quadratic) answer.displacements += model.solved_correction(linear, progress);
+  }
+  answer.face_points = model.face_with(answer.displacements);
+  answer.why = words(answer, choice, linear_error, wanted);
+  return answer;
+}
+
+/// The best choice on one mesh.
+Answer answer_on(const FaceModel& model, const TissueModel& wanted,
+                 std::span<const RigidMotion> motions, Progress& progress) {
+  const Points linear = model.solve(motions).displacements;
+  const FaceError error = estimated_error(model, linear, progress);
+  const std::vector<Choice> choices = ladder(wanted, model);
+  Choice choice;
+  for (const Choice& next : choices) {
+    choice = next;
+    if (remaining(error, next).within(wanted.tolerance_mm)) break;
+  }
+  Answer answer;
+  try {
+    answer = answer_by(choice, model, error, linear, wanted, motions, progress);
+  } catch (const Error& refusal) {
+    const bool may_be_small = choice.large_strain && wanted.strain == Strain::automatic;
+    if (!may_be_small || refusal.kind() != ErrorKind::numeric) throw;
+    choice.large_strain = false;
+    answer = answer_by(choice, model, error, linear, wanted, motions, progress);
+    answer.why += "; large strain could not follow the motion: " + refusal.problem();
+  }
+  answer.quick_error = remaining(error, {model.order() == ElementOrder::quadratic, false});
+  return answer;
+}
+
+/// Finer meshes to try in turn, where the mesh is the program's choice.
+std::vector<TissueModel> finer_tissues(const TissueModel& wanted) {
+  const bool chosen = wanted.elements == Elements::automatic && wanted.edge_mm == 0 &&
+                      wanted.layer_edges == 0 && wanted.generator == Generator::robust &&
+                      wanted.load == LoadModel::displacement;
+  if (!chosen) return {};
+  TissueModel layered = wanted;
+  layered.layer_edges = 1;
+  TissueModel finer = layered;
+  finer.edge_mm = 2;
+  return {layered, finer};
 }
 
 }  // namespace
 
-Answer choose_answer(const FaceModel& model, const TissueModel& wanted,
-                     std::span<const RigidMotion> motions, Progress& progress) {
-  Answer answer;
-  const Points linear = model.solve(motions).displacements;
-  Points correction = Points::Zero(linear.rows(), 3);
-  {
-    const auto stage = progress.stage("estimate the error");
-    if (wanted.load == LoadModel::displacement) {
-      correction = model.quadratic_correction(linear, progress);
-    }
-    answer.quick_error =
-        face_error(lengths_on_face(model, correction),
-                   lengths_on_face(model, linearisation_error(model.solver(), linear)));
-    if (model.order() == ElementOrder::quadratic) {
-      answer.quick_error = remaining(answer.quick_error, true, false);
-    }
-  }
-  Choice choice{};
-  for (const Choice& next : ladder(wanted, model.order())) {
-    choice = next;
-    answer.error = remaining(answer.quick_error, next.quadratic, next.large_strain);
+Answer choose_answer(const Anatomy& anatomy, const RegionChoice& region, const TissueModel& wanted,
+                     const FaceModel& quick, std::span<const RigidMotion> motions,
+                     Progress& progress) {
+  Answer answer = answer_on(quick, wanted, motions, progress);
+  const FaceError quick_error = answer.quick_error;
+  for (const TissueModel& tissue : finer_tissues(wanted)) {
     if (answer.error.within(wanted.tolerance_mm)) break;
+    const FaceModel finer(anatomy, region, tissue, progress);
+    Answer better = answer_on(finer, wanted, motions, progress);
+    if (better.error.total.p95 < answer.error.total.p95) answer = std::move(better);
   }
-  answer.order = choice.quadratic ? ElementOrder::quadratic : ElementOrder::linear;
-  answer.large_strain = choice.large_strain;
-  answer.displacements = linear;
-  if (choice.large_strain) {
-    const auto stage = progress.stage("neo-Hookean solution");
-    const MotionPath path = bone_path(model.solver().elements().nodes, model.solver().supports(),
-                                      {motions.begin(), motions.end()});
-    const NeoHookeanSolution large =
-        NeoHookeanSolver(model.solver()).solve(path, Points::Zero(linear.rows(), 3), progress);
-    answer.displacements = large.displacements;
-    answer.neo_hookean_residual = large.relative_residual;
-    answer.load_steps = large.load_steps;
+  answer.quick_error = quick_error;
+  if (!answer.error.within(wanted.tolerance_mm)) {
+    answer.why += "; no better model is offered for this case";
   }
-  if (choice.quadratic) {
-    const auto stage = progress.stage("correct to quadratic elements");
-    constexpr int kMost = 60;
-    answer.displacements += model.quadratic_correction(linear, progress, kMost);
-  }
-  answer.why = words(choice, answer.quick_error, answer.error, wanted);
   return answer;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "fem/neo_hookean_solver.h"
@@ -12,7 +13,7 @@ namespace gnathion {
 /// Errors of the anatomy, the material and the plan are not in it.
 struct FaceError {
   Eigen::VectorXd discretisation;  ///< of the elements: by what quadratic ones would add
-  Eigen::VectorXd linearisation;   ///< of small strain: by one correction towards large strain
+  Eigen::VectorXd linearisation;   ///< of small strain: by the part of the second order
   DistanceStatistics total;        ///< of their sum
 
   bool within(double tolerance_mm) const { return total.p95 <= tolerance_mm; }
@@ -20,26 +21,36 @@ struct FaceError {
 
 /// A prediction for one motion, the model that gave it, and why that one.
 struct Answer {
-  Points displacements;  ///< of the tissue's vertices, n×3, mm
+  std::shared_ptr<const TissueProblem> tissue;  ///< what was computed on: a finer mesh at times
+  Points displacements;                         ///< of its vertices, n×3, mm
+  Points face_points;                           ///< mm, LPS, all vertices of the face
   ElementOrder order = ElementOrder::linear;
   bool large_strain = false;
   FaceError error;                  ///< estimated, of this answer
-  FaceError quick_error;            ///< estimated, of the linear model's answer that a drag shows
+  FaceError quick_error;            ///< estimated, of the answer that a drag shows
   std::string why;                  ///< a sentence for the user: what was chosen, for which reason
   double neo_hookean_residual = 0;  ///< relative; 0 for small strain
   int load_steps = 0;               ///< of the neo-Hookean solver; 0 for small strain
 };
 
-/// Part of what quadratic elements add to linear ones that is left as their own error; see
-/// docs/evidence.md for what was measured.
-inline constexpr double kQuadraticRest = 0.25;
+/// What is left of the two estimates when a better model gives the answer: measured against finer
+/// elements and the neo-Hookean solution on them, see docs/evidence.md.
+inline constexpr double kQuadraticRest = 0.25;  ///< quadratic elements, of what they add
+/// Small strain errs more on quadratic elements, which resolve how the tissue bends at the edge of
+/// the bone, than the estimate on linear ones says.
+inline constexpr double kSmallStrainOnQuadratic = 3;
+/// Above this many tets quadratic elements with large strain are not offered: their factor would
+/// take gigabytes and minutes.
+inline constexpr Eigen::Index kMostTetsForBoth = 100000;
 
-/// The answer to these motions: the quick one of `model` where its estimated error keeps the
-/// tolerance, else quadratic elements, large strain, or both, as `wanted` lets: the cheapest that
-/// is estimated to keep it. Where both are needed, what quadratic elements add to the linear model
-/// is added to the neo-Hookean solution on linear ones.
-/// Throws as FaceModel::solve and NeoHookeanSolver::solve, Error(cancelled).
-Answer choose_answer(const FaceModel& model, const TissueModel& wanted,
-                     std::span<const RigidMotion> motions, Progress& progress);
+/// The answer to these motions: that of `quick` where its estimated error keeps the tolerance of
+/// `wanted`, else quadratic elements, large strain, or both, as `wanted` lets: the cheapest that is
+/// estimated to keep it. Where none does on this mesh and the mesh is the program's choice, the
+/// same on finer ones; where none does at all, the last. Where large strain is the program's choice
+/// and the tissue cannot follow the motion, small strain answers and `why` says so.
+/// Throws as FaceModel, FaceModel::solve and NeoHookeanSolver::solve, Error(cancelled).
+Answer choose_answer(const Anatomy& anatomy, const RegionChoice& region, const TissueModel& wanted,
+                     const FaceModel& quick, std::span<const RigidMotion> motions,
+                     Progress& progress);
 
 }  // namespace gnathion

@@ -23,9 +23,10 @@ Eigen::Vector3d common_translation(std::span<const RigidMotion> motions) {
 
 }  // namespace
 
-struct FaceModel::LazyCorrection {
+struct FaceModel::QuadraticParts {
   std::mutex mutex;
-  std::unique_ptr<const QuadraticCorrection> value;
+  std::unique_ptr<const QuadraticCorrection> correction;
+  std::unique_ptr<const StaticSolver> solver;
 };
 
 FaceModel::FaceModel(const Anatomy& anatomy, const RegionChoice& region, const TissueModel& model,
@@ -33,7 +34,7 @@ FaceModel::FaceModel(const Anatomy& anatomy, const RegionChoice& region, const T
     : load_(model.load),
       problem_(
           std::make_shared<const TissueProblem>(build_tissue(anatomy, region, model, progress))),
-      correction_(std::make_shared<LazyCorrection>()),
+      quadratic_(std::make_shared<QuadraticParts>()),
       rest_face_(std::make_shared<const Points>(anatomy.face.mesh.surface.vertices)) {
   solver_ = std::make_shared<const StaticSolver>(problem_->tissue.mesh, problem_->materials,
                                                  problem_->supports, progress);
@@ -63,12 +64,26 @@ void FaceModel::set_basis(ResponseBasis basis) {
                  basis_.centres()};
 }
 
+/// Of the quadratic solution, as a part of what it adds.
+constexpr double kSolved = 1e-3;
+constexpr int kMostIterations = 60;
+
 const QuadraticCorrection& FaceModel::correction(Progress& progress) const {
-  const std::lock_guard lock(correction_->mutex);
-  if (!correction_->value) {
-    correction_->value = std::make_unique<const QuadraticCorrection>(*solver_, progress);
+  const std::lock_guard lock(quadratic_->mutex);
+  if (!quadratic_->correction) {
+    quadratic_->correction = std::make_unique<const QuadraticCorrection>(*solver_, progress);
   }
-  return *correction_->value;
+  return *quadratic_->correction;
+}
+
+const StaticSolver& FaceModel::quadratic_solver(Progress& progress) const {
+  const std::lock_guard lock(quadratic_->mutex);
+  if (!quadratic_->solver) {
+    const ElementMesh elements(problem_->tissue.mesh, ElementOrder::quadratic);
+    quadratic_->solver = std::make_unique<const StaticSolver>(
+        elements, problem_->materials, supports_of_nodes(elements, problem_->supports), progress);
+  }
+  return *quadratic_->solver;
 }
 
 FaceModel FaceModel::on_quadratic_elements(Progress& progress) const {
@@ -76,11 +91,10 @@ FaceModel FaceModel::on_quadratic_elements(Progress& progress) const {
   const QuadraticCorrection& correction = this->correction(progress);
   const auto stage = progress.stage("response basis on quadratic elements");
   FaceModel model = *this;
-  constexpr int kMost = 60;
-  constexpr double kPart = 1e-3;
   model.order_ = ElementOrder::quadratic;
-  model.set_basis({basis_.columns() + correction.correct(basis_.columns(), {}, kMost, kPart),
-                   basis_.centres()});
+  model.set_basis(
+      {basis_.columns() + correction.correct(basis_.columns(), {}, kMostIterations, kSolved),
+       basis_.centres()});
   return model;
 }
 
@@ -129,11 +143,19 @@ StaticSolution FaceModel::solve(std::span<const RigidMotion> motions) const {
   return solver_->solve(Points::Zero(x.rows(), 3), forces);
 }
 
-Points FaceModel::quadratic_correction(const Points& displacements, Progress& progress,
-                                       int iterations) const {
+Points FaceModel::corrected(const Points& displacements, int iterations, double tolerance,
+                            Progress& progress) const {
   const Eigen::VectorXd u = displacements.reshaped<Eigen::RowMajor>();
-  const Eigen::VectorXd more = correction(progress).correct(u, {}, iterations);
+  const Eigen::VectorXd more = correction(progress).correct(u, {}, iterations, tolerance);
   return Eigen::Map<const Points>(more.data(), displacements.rows(), 3);
+}
+
+Points FaceModel::estimated_correction(const Points& displacements, Progress& progress) const {
+  return corrected(displacements, QuadraticCorrection::kEstimate, kSolved, progress);
+}
+
+Points FaceModel::solved_correction(const Points& displacements, Progress& progress) const {
+  return corrected(displacements, kMostIterations, kSolved, progress);
 }
 
 }  // namespace gnathion

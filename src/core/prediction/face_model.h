@@ -33,31 +33,37 @@ class FaceModel {
   /// Throws as predict() and StaticSolver::solve.
   StaticSolution solve(std::span<const RigidMotion> motions) const;
 
-  /// What quadratic elements would add to a solution on linear ones, n×3, mm; `iterations` as
-  /// QuadraticCorrection::correct.
-  Points quadratic_correction(const Points& displacements, Progress& progress,
-                              int iterations = QuadraticCorrection::kEstimate) const;
+  /// What quadratic elements would add to a solution on linear ones, n×3, mm: an estimate, or the
+  /// solution to 1e-3.
+  Points estimated_correction(const Points& displacements, Progress& progress) const;
+  Points solved_correction(const Points& displacements, Progress& progress) const;
 
   /// The face when the tissue's vertices are displaced so: W u on the face at rest. n×3, mm, LPS.
   Points face_with(const Points& tissue_displacements) const;
 
+  LoadModel load() const { return load_; }
   ElementOrder order() const { return order_; }
   const TissueProblem& problem() const { return *problem_; }
+  std::shared_ptr<const TissueProblem> problem_ptr() const { return problem_; }
   const StaticSolver& solver() const { return *solver_; }  ///< on linear elements
+  /// On quadratic elements, factorised when first asked for: what large strain starts from.
+  const StaticSolver& quadratic_solver(Progress& progress) const;
   /// Vertices of the face that move, ascending.
   const std::vector<int>& moving_vertices() const { return moving_vertices_; }
 
  private:
   void set_basis(ResponseBasis basis);
   const QuadraticCorrection& correction(Progress& progress) const;
+  Points corrected(const Points& displacements, int iterations, double tolerance,
+                   Progress& progress) const;
 
   LoadModel load_;
   ElementOrder order_ = ElementOrder::linear;
   std::shared_ptr<const TissueProblem> problem_;
   std::shared_ptr<const StaticSolver> solver_;
   /// Made when first asked for; shared by copies.
-  struct LazyCorrection;
-  std::shared_ptr<LazyCorrection> correction_;
+  struct QuadraticParts;
+  std::shared_ptr<QuadraticParts> quadratic_;
   ResponseBasis basis_;               ///< of all vertices of the tissue (displacement transfer)
   ForceBasis force_basis_;            ///< likewise (force transfer)
   ResponseBasis face_basis_;          ///< W composed with the basis, for moving_vertices_

@@ -18,21 +18,21 @@ json statistics_json(const DistanceStatistics& s) {
   return {{"count", s.count}, {"mean", s.mean}, {"p90", s.p90}, {"p95", s.p95}, {"max", s.max}};
 }
 
-json sizes_json(const Anatomy& anatomy, const FaceModel& model) {
-  const TissueProblem& problem = model.problem();
+json sizes_json(const Anatomy& anatomy, const TissueProblem& problem) {
   return {{"bone_triangles", anatomy.bone.triangles.rows()},
           {"face_vertices", anatomy.face.mesh.surface.vertices.rows()},
           {"face_triangles", anatomy.face.mesh.surface.triangles.rows()},
           {"region_vertices", problem.region.mesh.vertices.rows()},
           {"region_triangles", problem.region.mesh.triangles.rows()},
           {"region_mean_edge_mm", mean_edge_length(problem.region.mesh)},
+          {"face_vertices_off_remesh_mm_p95", problem.remeshed_mm},
           {"region_vertices_smoothed_at_folds", problem.unfolded_count},
           {"region_smoothed_at_folds_by_mm", problem.unfolded_mm},
           {"rim_to_segment_mm", problem.rim_to_segment},
           {"bone_links", problem.links.size()},
           {"tissue_nodes", problem.tissue.mesh.vertices.rows()},
           {"tets", problem.tissue.mesh.tets.rows()},
-          {"free_nodes", model.solver().free_part().nodes().size()},
+          {"free_nodes", FreePart(problem.supports).nodes().size()},
           {"nodes_on_segment", problem.attached_count},
           {"nodes_on_other_bone", problem.on_skull_count},
           {"nodes_sliding_on_bone", problem.sliding_count},
@@ -149,14 +149,17 @@ Prediction make_prediction(const SurgicalCase& plan, const Anatomy& anatomy, con
   if (size > 0 && model.order() == ElementOrder::linear) {
     prediction.basis_error = (from_basis - direct.displacements).norm() / size;
   }
-  prediction.answer = choose_answer(model, plan.tissue, prediction.motions, progress);
-  prediction.face_points = model.face_with(prediction.answer.displacements);
+  prediction.answer =
+      choose_answer(anatomy, plan.region, plan.tissue, model, prediction.motions, progress);
+  prediction.face_points = prediction.answer.face_points;
   Points quick;
   model.predict(prediction.motions, quick);
   const Points u = prediction.face_points - face.vertices;
-  TetMesh deformed = model.problem().tissue.mesh;
-  deformed.vertices += prediction.answer.displacements;
-  prediction.inverted_after = (tet_volumes(deformed).array() <= 0).count();
+  if (!prediction.answer.large_strain) {
+    TetMesh deformed = prediction.answer.tissue->tissue.mesh;
+    deformed.vertices += prediction.answer.displacements;
+    prediction.inverted_after = (tet_volumes(deformed).array() <= 0).count();
+  }
 
   const std::vector<int>& moving = model.moving_vertices();
   prediction.quick_mm =
@@ -171,7 +174,7 @@ Prediction make_prediction(const SurgicalCase& plan, const Anatomy& anatomy, con
   return prediction;
 }
 
-std::string report_json(const SurgicalCase& plan, const Anatomy& anatomy, const FaceModel& model,
+std::string report_json(const SurgicalCase& plan, const Anatomy& anatomy,
                         const Prediction& prediction, const Progress& progress) {
   json times = json::array();
   for (const StageTime& time : progress.stage_times()) {
@@ -191,12 +194,12 @@ std::string report_json(const SurgicalCase& plan, const Anatomy& anatomy, const 
       {"inputs", inputs_json(anatomy)},
       {"face", anatomy.face.is_photograph ? "photograph" : "skin of the CT"},
       {"segments", segments_json(plan, anatomy)},
-      {"model", model_json(plan.tissue, model.problem(), prediction.answer)},
+      {"model", model_json(plan.tissue, *prediction.answer.tissue, prediction.answer)},
       {"estimated_error_mm", error_json(prediction.answer.error)},
       {"estimated_error_while_dragging_mm", error_json(prediction.answer.quick_error)},
       {"face_while_dragging_differs_by_mm", prediction.quick_mm},
-      {"sizes", sizes_json(anatomy, model)},
-      {"element_quality", quality_json(model.problem().tissue)},
+      {"sizes", sizes_json(anatomy, *prediction.answer.tissue)},
+      {"element_quality", quality_json(prediction.answer.tissue->tissue)},
       {"displacement_mm", statistics_json(prediction.displacement)},
       {"signed_distance_mm",
        {{"min", prediction.signed_distance.minCoeff()},

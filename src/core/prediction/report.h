@@ -19,7 +19,7 @@ struct Prediction {
   DistanceStatistics displacement;  ///< of the vertices of the region
   double relative_residual = 0;     ///< of the direct solve on linear elements
   double basis_error = 0;   ///< ‖u_basis − u_direct‖ / ‖u_direct‖, 0 without motion
-  long inverted_after = 0;  ///< tets turned inside out by the motion
+  long inverted_after = 0;  ///< tets turned inside out by the motion: 0 with large strain
   std::map<std::string, LandmarkResponse> landmarks;
 };
 
@@ -31,7 +31,7 @@ Prediction make_prediction(const SurgicalCase& plan, const Anatomy& anatomy, con
 
 /// The report of a prediction (docs/report.md says what is in it) as JSON text: numbers, hashes and
 /// versions, no path and no patient identity.
-std::string report_json(const SurgicalCase& plan, const Anatomy& anatomy, const FaceModel& model,
+std::string report_json(const SurgicalCase& plan, const Anatomy& anatomy,
                         const Prediction& prediction, const Progress& progress);
 
 }  // namespace gnathion

@@ -225,7 +225,10 @@ void mesh_tissue(const Bones& bones, const TissueModel& model, TissueProblem& pr
     }
     try {
       RobustGeneratorOptions shape;
-      shape.layers.thickness_in_edges = model.layer_edges;
+      if (model.layer_edges > 0) {
+        shape.layers = LayerOptions{};
+        shape.layers.thickness_in_edges = model.layer_edges;
+      }
       problem.tissue = st_generator(problem.region, directions, below.depth, shape);
     } catch (const Error&) {
       if (attempt == kTries) throw;
@@ -258,8 +261,16 @@ void set_region(const Anatomy& anatomy, const RegionChoice& choice, const Tissue
   const auto stage = progress.stage("region");
   const TriangleMesh& face = anatomy.face.mesh.surface;
   problem.region = choose_region(face, choice, bones.all_segments);
-  problem.surface_map = index_map(problem.region, face.vertices);
-  if (model.generator == Generator::robust) {
+  problem.face_vertices = problem.region.face_vertex;
+  if (model.generator == Generator::paper) {
+    problem.surface_map = index_map(problem.region, face.vertices);
+  } else {
+    constexpr double kFineEnough = 3;  // mm: docs/evidence.md has the error of other edges
+    CoarseRegion coarse = coarse_region(problem.region, face.vertices,
+                                        model.edge_mm > 0 ? model.edge_mm : kFineEnough);
+    problem.region = std::move(coarse.region);
+    problem.surface_map = std::move(coarse.surface_map);
+    problem.remeshed_mm = coarse.distance.p95;
     Unfolding unfolding = unfold(problem.region);
     problem.region = std::move(unfolding.region);
     problem.unfolded_count = unfolding.moved_count;

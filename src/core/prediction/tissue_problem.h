@@ -3,8 +3,8 @@
 #include "fem/static_solver.h"
 #include "prediction/anatomy.h"
 #include "tissue/bone_map.h"
+#include "tissue/coarse_region.h"
 #include "tissue/st_generator.h"
-#include "tissue/surface_map.h"
 #include "tissue/tissue_from_ct.h"
 #include "tissue/unfold.h"
 
@@ -13,8 +13,10 @@ namespace gnathion {
 /// The soft tissue between the segments and the face, meshed and held: what the equations are
 /// about.
 struct TissueProblem {
-  IntermediateMesh region;
-  SurfaceMap surface_map;       ///< W, |face| × |region|
+  IntermediateMesh region;         ///< what is meshed: the face's own vertices, or a remesh of them
+  std::vector<int> face_vertices;  ///< of the face: the region that was chosen
+  SurfaceMap surface_map;          ///< W, |face| × |region|
+  double remeshed_mm = 0;  ///< by which the face's vertices lie off a remesh, 95 %; 0: no remesh
   std::vector<BoneLink> links;  ///< the bone map
   std::vector<int> bone_below;  ///< M, as BoneBelow::bone
   SoftTissueMesh tissue;

@@ -27,7 +27,8 @@ SurgicalCase full_case(const fs::path& folder) {
   plan.skin.edge_mm = 3;
   plan.bone.remove_support = plan.skin.remove_support = false;
   plan.bone.crop = plan.skin.crop = LpsBox{{-80, -120, -100}, {80, 90, 100}};
-  plan.cut = box_between({-60, -305, 322}, {65, -215, 369});
+  plan.segments.resize(1);
+  plan.segments[0].cut = box_between({-60, -305, 322}, {65, -215, 369});
   Similarity transform;
   transform.scale = 50;
   transform.rotation = Eigen::AngleAxisd(0.3, Vector3d(1, 2, -1).normalized()).toRotationMatrix();
@@ -35,9 +36,22 @@ SurgicalCase full_case(const fs::path& folder) {
   plan.photograph = PhotographSource{folder / "photo 1" / "né.obj", transform};
   plan.region.reach_mm = 42;
   plan.region.vertices = {0, 7, 12};
-  plan.tissue = {Generator::paper, 6, 15, 4, {0.5, 0.49}, LoadModel::force};
-  plan.motion = {1, -2, 3.5, -4, 5, -6.25};
-  plan.pivot = Vector3d(0.1, -20, 33);
+  plan.tissue = {.generator = Generator::paper,
+                 .depth_mm = 6,
+                 .bone_reach_mm = 15,
+                 .edge_mm = 2.5,
+                 .layer_edges = 1.5,
+                 .released_mm = 4,
+                 .slides_on_teeth = false,
+                 .sliding_vertices = {3, 4},
+                 .material = {0.5, 0.49},
+                 .kinds = TissueKinds::from_ct,
+                 .load = LoadModel::force,
+                 .elements = Elements::quadratic,
+                 .strain = Strain::large,
+                 .tolerance_mm = 0.25};
+  plan.segments[0].motion = {1, -2, 3.5, -4, 5, -6.25};
+  plan.segments[0].pivot = Vector3d(0.1, -20, 33);
   plan.landmarks["Pog' weich"] = Vector3d(0, -100.7, -60);
   return plan;
 }
@@ -80,7 +94,13 @@ void expect_equal(const SurgicalCase& a, const SurgicalCase& b) {
   EXPECT_EQ(a.skin.remove_support, b.skin.remove_support);
   expect_equal(a.bone.crop, b.bone.crop);
   expect_equal(a.skin.crop, b.skin.crop);
-  expect_equal(a.cut, b.cut);
+  ASSERT_EQ(a.segments.size(), b.segments.size());
+  for (std::size_t s = 0; s < a.segments.size(); ++s) {
+    EXPECT_EQ(a.segments[s].name, b.segments[s].name);
+    expect_equal(a.segments[s].cut, b.segments[s].cut);
+    EXPECT_EQ(a.segments[s].motion, b.segments[s].motion);
+    EXPECT_EQ(a.segments[s].pivot, b.segments[s].pivot);
+  }
   ASSERT_EQ(a.photograph.has_value(), b.photograph.has_value());
   if (a.photograph) {
     EXPECT_EQ(a.photograph->obj, b.photograph->obj);
@@ -98,8 +118,14 @@ void expect_equal(const SurgicalCase& a, const SurgicalCase& b) {
   EXPECT_EQ(a.tissue.material.young_MPa, b.tissue.material.young_MPa);
   EXPECT_EQ(a.tissue.material.poisson, b.tissue.material.poisson);
   EXPECT_EQ(a.tissue.load, b.tissue.load);
-  EXPECT_EQ(a.motion, b.motion);
-  EXPECT_EQ(a.pivot, b.pivot);
+  EXPECT_EQ(a.tissue.edge_mm, b.tissue.edge_mm);
+  EXPECT_EQ(a.tissue.layer_edges, b.tissue.layer_edges);
+  EXPECT_EQ(a.tissue.slides_on_teeth, b.tissue.slides_on_teeth);
+  EXPECT_EQ(a.tissue.sliding_vertices, b.tissue.sliding_vertices);
+  EXPECT_EQ(a.tissue.kinds, b.tissue.kinds);
+  EXPECT_EQ(a.tissue.elements, b.tissue.elements);
+  EXPECT_EQ(a.tissue.strain, b.tissue.strain);
+  EXPECT_EQ(a.tissue.tolerance_mm, b.tissue.tolerance_mm);
   EXPECT_EQ(a.landmarks, b.landmarks);
 }
 
@@ -115,9 +141,40 @@ TEST(CaseFile, APlateAndTheDefaultsComeBackToo) {
   const TemporaryFolder folder;
   SurgicalCase plan;
   plan.ct.path = folder / "ct.nii.gz";
-  plan.cut = PlateCut{{1, -100, -70}, {0, 0.2, 1}, {1, 0, 0}, 40, 25, 0.75, {0, -100, -80}};
+  plan.segments.resize(1);
+  plan.segments[0].cut =
+      PlateCut{{1, -100, -70}, {0, 0.2, 1}, {1, 0, 0}, 40, 25, 0.75, {0, -100, -80}};
   write_case_file(plan, folder / "case.json");
   expect_equal(read_case_file(folder / "case.json"), plan);
+}
+
+TEST(CaseFile, SeveralSegmentsComeBackInOrder) {
+  const TemporaryFolder folder;
+  SurgicalCase plan = full_case(folder.path());
+  plan.segments[0].name = "mandible";
+  PlannedSegment chin{"chin", box_between({-20, -300, 320}, {20, -250, 340}), {}, {}};
+  chin.motion.forward_mm = 4;
+  plan.segments.push_back(chin);
+  write_case_file(plan, folder / "case.json");
+  expect_equal(read_case_file(folder / "case.json"), plan);
+}
+
+TEST(CaseFile, RefusesSegmentsThatContradictEachOther) {
+  const std::string head = R"({"gnathion_case": 1, "ct": {"path": "ct"}, )";
+  const std::string box = R"("box": {"min": [0, 0, 0], "max": [1, 1, 1]}})";
+  const std::vector<std::pair<std::string, std::string>> bad{
+      {R"("segments": [])", "segments"},
+      {R"("segments": [3])", "segments[0]"},
+      {R"("segments": [{)" + box + "]", "segments[0].name"},
+      {R"("segments": [{"name": "a", )" + box + R"(, {"name": "a", )" + box + "]",
+       "segments[1].name"},
+      {R"("segments": [{"name": "a", )" + box + R"(], "motion": {"up_mm": 1})", "segments"},
+      {R"("segments": [{"name": "a", "motion": {"up": 1}, )" + box + "]", "segments[0].motion.up"}};
+  for (const auto& [text, subject] : bad) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.write("case.json", head + text + "}");
+    expect_error(ErrorKind::case_file, {subject.c_str()}, [&] { read_case_file(file); });
+  }
 }
 
 TEST(CaseFile, MovesWithItsFilesWhenTheyLieBesideIt) {
@@ -150,7 +207,8 @@ TEST(CaseFile, WhatIsNotGivenHasTheDefault) {
         "segment": {"box": {"min": [0, 0, 0], "max": [1, 2, 4]}}, "tissue": {"poisson": 0.4}})");
   SurgicalCase plan;
   plan.ct.path = folder / "ct";
-  plan.cut = box_between({0, 0, 0}, {1, 2, 4});
+  plan.segments.resize(1);
+  plan.segments[0].cut = box_between({0, 0, 0}, {1, 2, 4});
   plan.tissue.material.poisson = 0.4;
   expect_equal(read_case_file(file), plan);
 }
@@ -158,7 +216,8 @@ TEST(CaseFile, WhatIsNotGivenHasTheDefault) {
 TEST(CaseFile, RefusesToWriteATurnedBoxWhichItCannotSay) {
   const TemporaryFolder folder;
   SurgicalCase plan = full_case(folder.path());
-  std::get<BoxCut>(plan.cut).axes = Eigen::AngleAxisd(0.2, Vector3d::UnitX()).toRotationMatrix();
+  std::get<BoxCut>(plan.segments[0].cut).axes =
+      Eigen::AngleAxisd(0.2, Vector3d::UnitX()).toRotationMatrix();
   expect_error(ErrorKind::case_file, {"segment.box", "turned"},
                [&] { write_case_file(plan, folder / "case.json"); });
   EXPECT_FALSE(fs::exists(folder / "case.json"));
@@ -170,6 +229,7 @@ TEST(CaseFile, SaysWhenItCannotBeWritten) {
   expect_error(ErrorKind::output, {"none"},
                [&] { write_case_file(plan, folder / "none/case.json"); });
   plan.region.vertices.clear();
+  plan.tissue.sliding_vertices.clear();
   expect_error(ErrorKind::output, {"none/case.json"},
                [&] { write_case_file(plan, folder / "none/case.json"); });
 }

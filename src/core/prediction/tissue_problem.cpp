@@ -96,10 +96,16 @@ std::vector<bool> marked_sliding(const TissueModel& model, const TissueProblem& 
 
 /// M: whether the tissue that rests on bone slides over it, by the user's marks and the teeth.
 std::vector<bool> sliding_vertices(const Anatomy& anatomy, const TissueModel& model,
-                                   const std::vector<int>& bone, const TissueProblem& problem) {
+                                   const std::vector<int>& bone, const TissueProblem& problem,
+                                   Progress& progress) {
   std::vector<bool> slides = marked_sliding(model, problem);
   if (!model.slides_on_teeth || !anatomy.ct || model.load == LoadModel::force) return slides;
   const Crowns crowns = find_crowns(*anatomy.ct);
+  if (crowns.piece_count == 0 && model.sliding_vertices.empty()) {
+    progress.notice(
+        "no teeth as dense as enamel or metal are in the CT, so no tissue slides on teeth; mark it "
+        "with tissue.sliding_file where it should");
+  }
   const SoftTissueMesh& tissue = problem.tissue;
   const std::vector<BoneCover> cover = bone_cover(
       crowns, tissue.mesh.vertices.middleRows(tissue.surface_count, tissue.surface_count));
@@ -136,11 +142,11 @@ Points sliding_normals(const Anatomy& anatomy, const Bones& bones, const std::ve
 /// transfer), unless it is next to bone on the other side of a cut; with force transfer only the
 /// rim is held, as in the paper.
 void set_supports(const Anatomy& anatomy, const TissueModel& model, const Bones& bones,
-                  TissueProblem& problem) {
+                  TissueProblem& problem, Progress& progress) {
   const SoftTissueMesh& tissue = problem.tissue;
   problem.supports.assign(static_cast<std::size_t>(tissue.mesh.vertices.rows()), Support::free);
   const std::vector<int> bone = resting_on(model, bones, problem);
-  const std::vector<bool> slides = sliding_vertices(anatomy, model, bone, problem);
+  const std::vector<bool> slides = sliding_vertices(anatomy, model, bone, problem, progress);
   const Points normals = sliding_normals(anatomy, bones, bone, slides, tissue);
   for (int v = 0; v < tissue.surface_count; ++v) {
     Support& inner = problem.supports[tissue.inner(v)];
@@ -308,6 +314,13 @@ void set_materials(const Anatomy& anatomy, const TissueModel& model, TissueProbl
   TissueFromCt found = tissue_from_ct(*anatomy.ct, problem.tissue.mesh, depths);
   problem.materials = std::move(found.materials);
   problem.share = found.share;
+  constexpr double kMany = 0.05;
+  const auto tets = static_cast<double>(problem.tissue.mesh.tets.rows());
+  if (static_cast<double>(found.unclear) > kMany * tets) {
+    progress.notice(std::to_string(std::lround(100 * static_cast<double>(found.unclear) / tets)) +
+                    " % of the tissue is neither skin, fat nor muscle in the CT and was counted as "
+                    "muscle; check that photograph and CT fit together");
+  }
 }
 
 }  // namespace
@@ -322,7 +335,7 @@ TissueProblem build_tissue(const Anatomy& anatomy, const RegionChoice& choice,
   set_materials(anatomy, model, problem, progress);
   {
     const auto stage = progress.stage("supports");
-    set_supports(anatomy, model, bones, problem);
+    set_supports(anatomy, model, bones, problem, progress);
   }
   require_driven(model.load, problem);
   return problem;

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "plan/jaw_motion.h"
+#include "prediction/landmarks.h"
 #include "support/expect_error.h"
 #include "support/face_patch.h"
 #include "support/head_scene.h"
@@ -163,6 +164,110 @@ TEST(TissueProblem, BoneNextToTheCutReleasesTheTissue) {
   const TissueProblem released = build_tissue(test::head_scene(), reach_of_40, wide, progress);
   EXPECT_GT(released.released_count, 3);
   EXPECT_LT(released.attached_count, held.attached_count);
+}
+
+/// The head with the ball under the cheek as a second segment.
+Anatomy two_segments() {
+  Anatomy head = test::head_scene();
+  head.segments.push_back(
+      {"cheek", test::sphere(test::head_cheek_bone, 12, 3), 0, test::head_cheek_bone});
+  head.remainder = test::sphere({0, 0, 0}, 40, 3);
+  return head;
+}
+
+TEST(FaceModel, TwoSegmentsMoveTheFaceTogetherExactlyAsADirectSolve) {
+  Progress progress;
+  const FaceModel model(two_segments(), reach_of_40, {}, progress);
+  const JawMotion forward{.forward_mm = 4, .pitch_deg = 3}, outward{.left_mm = 3, .yaw_deg = -2};
+  const std::array both{rigid_motion(forward, test::head_segment_at),
+                        rigid_motion(outward, test::head_cheek_bone)};
+  const StaticSolution direct = model.solve(both);
+  EXPECT_LT((model.tissue_displacements(both) - direct.displacements).norm(),
+            1e-12 * direct.displacements.norm());
+  Points together, chin_alone, cheek_alone;
+  model.predict(both, together);
+  model.predict(std::array{both[0], RigidMotion{}}, chin_alone);
+  model.predict(std::array{RigidMotion{}, both[1]}, cheek_alone);
+  EXPECT_LT((together + head_skin() - chin_alone - cheek_alone).cwiseAbs().maxCoeff(), 1e-11);
+  EXPECT_GT((chin_alone - head_skin()).cwiseAbs().maxCoeff(), 3);
+  EXPECT_GT((cheek_alone - head_skin()).cwiseAbs().maxCoeff(), 2);
+}
+
+TEST(FaceModel, LandmarksFollowTheNearestSegment) {
+  Progress progress;
+  const Anatomy head = two_segments();
+  const FaceModel model(head, reach_of_40, {}, progress);
+  const std::array motions{rigid_motion({.forward_mm = 4}, test::head_segment_at),
+                           rigid_motion({.up_mm = 2}, test::head_cheek_bone)};
+  Points points;
+  model.predict(motions, points);
+  const FaceLandmarks landmarks(
+      {{"chin", test::head_chin}, {"cheek", 80 * test::head_cheek_bone.normalized()}},
+      head.face.mesh.surface, head.segments);
+  const auto found = landmarks.responses(points, motions);
+  EXPECT_NEAR(found.at("chin").bone_mm, 4, 1e-12);
+  EXPECT_NEAR(found.at("cheek").bone_mm, 2, 1e-12);
+}
+
+/// All vertices within 15 mm of the chin are marked to slide.
+TissueModel sliding_chin() {
+  TissueModel model;
+  for (int v = 0; v < head_skin().rows(); ++v) {
+    if ((head_skin().row(v).transpose() - test::head_chin).norm() < 15) {
+      model.sliding_vertices.push_back(v);
+    }
+  }
+  return model;
+}
+
+TEST(TissueProblem, MarkedTissueSlidesAlongTheBoneAndFollowsItsNormal) {
+  Progress progress;
+  Anatomy head = test::head_scene();
+  const FaceModel model(head, reach_of_40, sliding_chin(), progress);
+  const TissueProblem& problem = model.problem();
+  EXPECT_GT(problem.sliding_count, 10);
+  EXPECT_LT(problem.attached_count, head_model().problem().attached_count);
+  for (const Support& support : problem.supports) {
+    if (support == Support::sliding) {
+      EXPECT_NEAR(support.normal.norm(), 1, 1e-12);
+    }
+  }
+  const Vector3d attached = chin_moves(predicted(head_model(), {.left_mm = 5}));
+  const Vector3d slides = chin_moves(predicted(model, {.left_mm = 5}));
+  EXPECT_LT(slides.x(), 0.8 * attached.x()) << "sideways motion of the bone is not passed on";
+  EXPECT_LT(chin_moves(predicted(model, {.forward_mm = 5})).y(), -2.5) << "forward motion is";
+}
+
+TEST(TissueProblem, RefusesToSlideBelowVerticesThatAreNotOfTheFace) {
+  TissueModel model;
+  model.sliding_vertices = {3, 1000000};
+  Progress progress;
+  expect_error(ErrorKind::case_file, {"tissue.sliding_file", "1000000"},
+               [&] { build_tissue(test::head_scene(), reach_of_40, model, progress); });
+}
+
+TEST(TissueProblem, ADenseFaceIsRemeshedAndItsPredictionIsTheCoarseOnes) {
+  Progress progress;
+  Anatomy dense = test::head_scene();
+  dense.face = test::face_of(test::sphere({0, 0, 0}, 80, 7));  // edges of 1 mm
+  const FaceModel fine(dense, reach_of_40, {}, progress);
+  const TissueProblem& problem = fine.problem();
+  EXPECT_GT(problem.face_vertices.size(),
+            4 * static_cast<std::size_t>(problem.region.mesh.vertices.rows()));
+  EXPECT_GT(problem.remeshed_mm, 0);
+  EXPECT_LT(problem.remeshed_mm, 0.1);
+  Points points;
+  fine.predict(motions({.forward_mm = 5}), points);
+  const Vector3d coarse = chin_moves(predicted(head_model(), {.forward_mm = 5}));
+  const auto chin = [&] {
+    Eigen::Index at = 0;
+    (dense.face.mesh.surface.vertices.rowwise() - test::head_chin.transpose())
+        .rowwise()
+        .norm()
+        .minCoeff(&at);
+    return Eigen::Vector3d(points.row(at) - dense.face.mesh.surface.vertices.row(at));
+  }();
+  EXPECT_NEAR(chin.y(), coarse.y(), 0.4);
 }
 
 TEST(FaceModel, RefusesARegionWithNoBoneOfTheSegmentBelow) {

@@ -26,11 +26,11 @@ struct Answer {
   Points face_points;                           ///< mm, LPS, all vertices of the face
   ElementOrder order = ElementOrder::linear;
   bool large_strain = false;
-  FaceError error;                  ///< estimated, of this answer
-  FaceError quick_error;            ///< estimated, of the answer that a drag shows
-  std::string why;                  ///< a sentence for the user: what was chosen, for which reason
-  double neo_hookean_residual = 0;  ///< relative; 0 for small strain
-  int load_steps = 0;               ///< of the neo-Hookean solver; 0 for small strain
+  FaceError error;        ///< estimated, of this answer
+  FaceError quick_error;  ///< estimated, of the answer that a drag shows
+  std::string why;        ///< a sentence for the user: what was chosen, for which reason
+  /// What large strain took; its displacements are left out. 0 everywhere for small strain.
+  NeoHookeanSolution neo_hookean;
 };
 
 /// What is left of the two estimates when a better model gives the answer: measured against finer

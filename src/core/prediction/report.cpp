@@ -75,8 +75,12 @@ json model_json(const TissueModel& tissue, const TissueProblem& problem, const A
              {"released_mm", tissue.released_mm},
              {"slides_on_teeth", tissue.slides_on_teeth}};
   if (answer.large_strain) {
-    model["neo_hookean_residual"] = answer.neo_hookean_residual;
-    model["load_steps"] = answer.load_steps;
+    const NeoHookeanSolution& work = answer.neo_hookean;
+    model["neo_hookean"] = {{"relative_residual", work.relative_residual},
+                            {"load_steps", work.load_steps},
+                            {"anderson_iterations", work.anderson_iterations},
+                            {"newton_iterations", work.newton_iterations},
+                            {"smallest_volume_ratio", work.most_compressed.volume_ratio}};
   }
   if (tissue.kinds == TissueKinds::from_ct) {
     for (const auto& [name, kind] : {std::pair{"fat_mm3", TissueKind::fat},

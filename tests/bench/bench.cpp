@@ -1,12 +1,14 @@
 // Measures what docs/evidence.md shows: `./run bench`.
 //   gnathion-bench FOLDER [--only PART]… [--largest TETS] [CASE.json …]
-// Prints Markdown tables, and writes the same as CSV and its plots as SVG into FOLDER.
+// Prints Markdown tables, and writes the same as CSV and its plots as SVG into FOLDER. Exits with 1
+// when a hard case does not do what it must.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <functional>
 #include <iostream>
 
 #include "bench/elements.h"
+#include "bench/limits.h"
 #include "bench/mesh_peers.h"
 #include "bench/scaling.h"
 
@@ -28,10 +30,12 @@ int main(int argc, char** argv) {
   long largest = 1000000;
   app.add_option("folder", folder, "for tables (CSV) and plots (SVG)")->required();
   app.add_option("cases", cases, "case files: heads to mesh");
-  app.add_option("--only", only, "meshes, elements, scaling")->take_all();
+  app.add_option("--only", only, "hard, meshes, elements, scaling")->take_all();
   app.add_option("--largest", largest, "tets of the largest patch of the scaling");
   CLI11_PARSE(app, argc, argv);
+  int failed = 0;
   const std::vector<Part> parts{
+      {"hard", [&](const Report& report) { failed += report_hard_cases(report); }},
       {"meshes", [&](const Report& report) { report_mesh_peers(report, cases); }},
       {"elements", [&](const Report& report) { report_elements(report); }},
       {"scaling", [&](const Report& report) { report_scaling(report, largest); }}};
@@ -42,7 +46,7 @@ int main(int argc, char** argv) {
         part.run(report);
       }
     }
-    return 0;
+    return failed == 0 ? 0 : 1;
   } catch (const std::exception& error) {
     std::cerr << "gnathion-bench: " << error.what() << '\n';
     return 1;

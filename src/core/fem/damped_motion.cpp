@@ -57,7 +57,8 @@ void DampedMotion::set_prescribed(const Points& prescribed) {
   const Eigen::VectorXd free = statics_.free_part().gather(u_);
   u_ = given;
   statics_.free_part().add(free, 1, u_);
-  start_acceleration();
+  // The acceleration stays that of before: with the jump's, which falls within the next step,
+  // Newmark's first steps would overshoot by its ratio to what a long step can follow.
 }
 
 void DampedMotion::set_state(const Points& displacements, const Points& velocities) {

@@ -149,6 +149,7 @@ SpdFactor::SpdFactor(const Eigen::SparseMatrix<double>& lower, const std::vector
                      SpdBackend backend)
     : implementation_(std::make_unique<Implementation>()) {
   require_finite(lower);
+  if (lower.rows() == 0) return;  // everything is prescribed; CHOLMOD calls that a failure
 #ifdef GNATHION_HAS_CHOLMOD
   if (backend == SpdBackend::cholmod) {
     implementation_->cholmod = std::make_unique<CholmodFactor>(lower, order);
@@ -169,6 +170,7 @@ SpdFactor& SpdFactor::operator=(SpdFactor&&) noexcept = default;
 
 void SpdFactor::refactor(const Eigen::SparseMatrix<double>& lower) {
   require_finite(lower);
+  if (lower.rows() == 0) return;
 #ifdef GNATHION_HAS_CHOLMOD
   if (implementation_->cholmod) {
     implementation_->cholmod->refactor(lower);

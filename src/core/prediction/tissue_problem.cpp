@@ -275,7 +275,7 @@ void set_region(const Anatomy& anatomy, const RegionChoice& choice, const Tissue
     CoarseRegion coarse = coarse_region(problem.region, face.vertices,
                                         model.edge_mm > 0 ? model.edge_mm : kFineEnough);
     problem.region = std::move(coarse.region);
-    problem.surface_map = std::move(coarse.surface_map);
+    problem.surface_map.swap(coarse.surface_map);
     problem.remeshed_mm = coarse.distance.p95;
     Unfolding unfolding = unfold(problem.region);
     problem.region = std::move(unfolding.region);

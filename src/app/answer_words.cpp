@@ -27,6 +27,11 @@ QString model_name(ElementOrder order, bool large_strain) {
                    : words("linear model on linear elements");
 }
 
+QString capitalised(QString text) {
+  text[0] = text[0].toUpper();
+  return text;
+}
+
 AnswerWords words_of(const Prediction& prediction, const CaseController& model) {
   const Answer& answer = prediction.answer;
   const double tolerance = model.loaded().plan.tissue.tolerance_mm;
@@ -34,14 +39,15 @@ AnswerWords words_of(const Prediction& prediction, const CaseController& model) 
   const QString error = words("estimated error %1").arg(mm(answer.error.total.p95));
   AnswerWords said;
   said.caption = name + ", " + error;
-  said.status = name + QString::fromUtf8(" · ") + error + words(" on 95 % of the face");
+  said.status =
+      capitalised(name) + QString::fromUtf8(" · ") + error + words(" on 95 % of the face");
   if (!answer.error.within(tolerance)) {
     said.warning = true;
     said.caption += words(", above the tolerance");
     said.status += words(", above the tolerance of %1").arg(mm(tolerance));
   }
   QStringList sentences{
-      QString::fromStdString(answer.why),
+      capitalised(QString::fromStdString(answer.why)) + ".",
       words("The quick answer shown while dragging differs by %1 on 95 % of the face.")
           .arg(mm(prediction.quick_mm))};
   if (prediction.inverted_after > 0) {
@@ -49,7 +55,7 @@ AnswerWords words_of(const Prediction& prediction, const CaseController& model) 
         words("%1 tetrahedra are turned inside out").arg(prediction.inverted_after);
     said.warning = true;
     said.status += ", " + inverted;
-    sentences << inverted;
+    sentences << inverted + ".";
   }
   sentences << words("%1 tetrahedra, relative residual %2.")
                    .arg(model.loaded().model->problem().tissue.mesh.tets.rows())
@@ -67,7 +73,7 @@ AnswerWords answer_words(const CaseController& model, const QString& stage) {
   const QString quick = words("quick answer, %1").arg(name);
   const auto say = [&](const QString& state, const QString& sentence) {
     said.caption = quick + state;
-    said.status = quick + state;
+    said.status = capitalised(quick) + state;
     said.explanation = sentence;
   };
   switch (model.refinement()) {
@@ -95,10 +101,10 @@ AnswerWords answer_words(const CaseController& model, const QString& stage) {
   return said;
 }
 
-QString motions_words(const CaseController& model) {
+QString predicted_words(const CaseController& model) {
   const std::vector<JawMotion>& motions = model.motions();
-  if (motions.size() == 1) return motion_words(motions[0]);
-  QStringList lines;
+  if (motions.size() == 1) return words("Predicted: %1").arg(motion_words(motions[0]));
+  QStringList lines{words("Predicted")};
   for (std::size_t s = 0; s < motions.size(); ++s) {
     lines << words("%1: %2").arg(QString::fromStdString(model.loaded().anatomy->segments[s].name),
                                  motion_words(motions[s]));

@@ -17,7 +17,7 @@ struct AnswerWords {
 /// Of the present response. stage: what a refinement under way is doing. \pre model.has_case().
 AnswerWords answer_words(const CaseController& model, const QString& stage);
 
-/// All segments' motions, a line each, named where there are several.
-QString motions_words(const CaseController& model);
+/// What the picture shows: the segments' motions, a line each and named where there are several.
+QString predicted_words(const CaseController& model);
 
 }  // namespace gnathion

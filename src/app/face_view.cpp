@@ -142,8 +142,10 @@ void FaceView::show_response(const Response& response, const Eigen::Vector3d& tr
 }
 
 void FaceView::set_caption(const QString& caption) {
+  if (caption == caption_) return;
   caption_ = caption;
   show_caption();
+  if (!dragging_) render_soon();
 }
 
 void FaceView::show_film(const Points& face, const QString& caption) {

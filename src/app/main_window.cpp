@@ -63,7 +63,7 @@ FaceView& MainWindow::face_view() {
 }
 
 void MainWindow::add_tools() {
-  auto* label = new QLabel(tr("Face opacity"), ui_->view_toolbar);
+  auto* label = new QLabel(tr("Opacity"), ui_->view_toolbar);
   label->setObjectName("opacity_label");
   label->setContentsMargins(8, 0, 4, 0);
   opacity_slider_ = new QSlider(Qt::Horizontal, ui_->view_toolbar);
@@ -71,7 +71,7 @@ void MainWindow::add_tools() {
   opacity_slider_->setRange(0, 100);
   opacity_slider_->setValue(100);
   opacity_slider_->setPageStep(25);
-  opacity_slider_->setFixedWidth(110);
+  opacity_slider_->setFixedWidth(90);
   opacity_slider_->setToolTip(tr("How opaque the face is, 0 to 100 %: less shows the bone below"));
   label->setBuddy(opacity_slider_);
   ui_->view_toolbar->addWidget(label);
@@ -374,11 +374,11 @@ void MainWindow::show_answer_words() {
     return;
   }
   const AnswerWords words = answer_words(controller_, refinement_stage_);
-  ui_->face_view->set_caption(
-      tr("Predicted: %1\n%2").arg(motions_words(controller_), words.caption));
+  ui_->face_view->set_caption(predicted_words(controller_) + "\n" + words.caption);
   QString status = words.status.toHtmlEscaped();
   if (words.warning) status = QString("<b style='color:#b35900'>%1</b>").arg(status);
-  if (player_.is_computing()) status = tr("computing the motion in time");
+  if (player_.is_computing()) status = tr("Computing the motion in time");
+  if (player_.is_playing()) status = tr("Playing the damped motion of the linear model");
   model_label_->setText(status);
   model_label_->setToolTip(words.explanation);
 }
@@ -393,13 +393,13 @@ void MainWindow::play_or_stop() {
 
 void MainWindow::show_film_frame(const Points& face, double time_s) {
   const DynamicsOptions& dynamics = player_.options().dynamics;
-  ui_->face_view->show_film(face,
-                            tr("%1 ms after the bone moved, played %2 times slower\n"
-                               "damped motion, α %3/s, β %4 s, linear model on linear elements")
-                                .arg(1000 * time_s, 0, 'f', 0)
-                                .arg(MotionPlayer::slower)
-                                .arg(dynamics.alpha)
-                                .arg(dynamics.beta));
+  ui_->face_view->show_film(
+      face, tr("%1 ms after the bone moved, played %2 times slower\n"
+               "damped motion, alpha %3/s, beta %4 s, linear model on linear elements")
+                .arg(1000 * time_s, 0, 'f', 0)
+                .arg(MotionPlayer::slower)
+                .arg(dynamics.alpha)
+                .arg(dynamics.beta));
 }
 
 void MainWindow::drag_segment(const Eigen::Vector3d& translation) {

@@ -50,12 +50,25 @@ int main(int argc, char** argv) {
   verb("mesh", "tetrahedra, and the same problem for CalculiX", "CASE", true);
   verb("predict", "all steps: predicted face, pictures, report", "CASE", true)
       ->add_flag("--no-pictures", no_pictures, "leave the pictures out");
+  SettlingOptions settling;
+  bool newmark = false;
+  CLI::App* settle = verb("settle", "watch the tissue follow the bone in time", "CASE", true);
+  settle->add_option("--density", settling.dynamics.density, "of the tissue, t/mm3");
+  settle->add_option("--alpha", settling.dynamics.alpha, "damping by mass, 1/s");
+  settle->add_option("--beta", settling.dynamics.beta, "damping by stiffness, s");
+  settle->add_option("--step", settling.dynamics.step, "of time, s");
+  settle->add_flag("--newmark", newmark, "instead of implicit Euler");
+  settle->add_option("--gamma", settling.dynamics.gamma, "Newmark's, at least 0.5");
+  settle->add_option("--tolerance", settling.tolerance_mm, "of what counts as settled, mm");
+  settle->add_option("--most-steps", settling.most_steps, "before it is given up");
+  settle->add_flag("--no-pictures", no_pictures, "leave the pictures out");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(ErrorKind::usage);
   }
 
+  if (newmark) settling.dynamics.scheme = TimeScheme::newmark;
   const auto say = [quiet](const std::string& text) {
     if (!quiet) std::cerr << text + "\n" << std::flush;
   };
@@ -74,6 +87,9 @@ int main(int argc, char** argv) {
     if (name == "region") region_verb(input, output, std::cout, progress);
     if (name == "mesh") mesh_verb(input, output, std::cout, progress);
     if (name == "predict") predict_verb(input, output, !no_pictures, std::cout, progress);
+    if (name == "settle") {
+      settle_verb(input, output, settling, !no_pictures, std::cout, progress);
+    }
     return 0;
   } catch (const Error& error) {
     std::cerr << "gnathion-cli: " << error.what() << '\n';

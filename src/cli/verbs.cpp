@@ -53,19 +53,76 @@ void write_step(const fs::path& case_file, const fs::path& target, std::ostream&
   publish(folder, target, out);
 }
 
-void draw(const Anatomy& anatomy, const Prediction& prediction, const fs::path& folder,
-          Progress& progress) {
-  const auto stage = progress.stage("pictures");
-  FaceScene scene;
+/// Puts the face before any motion, and the bones in their poses, into a scene.
+void show(const Anatomy& anatomy, const std::vector<RigidMotion>& motions, FaceScene& scene) {
   scene.set_face(anatomy.face.mesh, anatomy.face.document.path().filename().string());
   scene.set_bone("skull", anatomy.remainder, skull_look);
   for (std::size_t s = 0; s < anatomy.segments.size(); ++s) {
     const std::string name = "segment " + anatomy.segments[s].name;
     scene.set_bone(name, anatomy.segments[s].mesh, segment_look);
-    scene.set_bone_pose(name, prediction.motions[s]);
+    scene.set_bone_pose(name, motions[s]);
   }
+}
+
+void draw(const Anatomy& anatomy, const Prediction& prediction, const fs::path& folder,
+          Progress& progress) {
+  const auto stage = progress.stage("pictures");
+  FaceScene scene;
+  show(anatomy, prediction.motions, scene);
   write_comparison(scene, anatomy.face.mesh.surface.vertices, prediction.face_points,
                    prediction.signed_distance, folder);
+}
+
+/// One time of a damped motion.
+struct Still {
+  int step;
+  double time_s;
+  Points surface;  ///< displacements of the tissue's surface, mm
+};
+
+/// At most 25 stills of a motion whose length is not known before: every 1st, 2nd, 4th … step, as
+/// many as fit, and the last.
+class Stills {
+ public:
+  void add(Still still) {
+    last_ = still;
+    if (still.step % stride_ != 0) return;
+    kept_.push_back(std::move(still));
+    if (kept_.size() <= kMost) return;
+    stride_ *= 2;
+    std::erase_if(kept_, [this](const Still& old) { return old.step % stride_ != 0; });
+  }
+  std::vector<Still> all() const {
+    std::vector<Still> stills = kept_;
+    if (stills.back().step != last_.step) stills.push_back(last_);
+    return stills;
+  }
+
+ private:
+  static constexpr std::size_t kMost = 24;
+  int stride_ = 1;
+  std::vector<Still> kept_;
+  Still last_;
+};
+
+void draw(const Anatomy& anatomy, const FaceModel& model, const std::vector<RigidMotion>& motions,
+          const std::vector<Still>& stills, const fs::path& folder, Progress& progress) {
+  const auto stage = progress.stage("pictures");
+  constexpr int kSide = 640;  // pixels
+  FaceScene scene;
+  show(anatomy, motions, scene);
+  scene.set_face_opacity(0.6);
+  scene.look_from(CameraPreset::left, 1);
+  OffscreenRenderer renderer;
+  for (const Still& still : stills) {
+    progress.check();
+    scene.set_face_points(model.face_with(still.surface));
+    std::ostringstream caption, name;
+    caption << std::fixed << std::setprecision(1) << 1000 * still.time_s << " ms";
+    name << "frame_" << std::setfill('0') << std::setw(5) << still.step << ".png";
+    scene.set_label(caption.str());
+    write_png(renderer.render(scene, kSide, kSide), folder / name.str());
+  }
 }
 
 void print_summary(const Prediction& prediction, const FaceModel& model, std::ostream& out) {
@@ -148,7 +205,7 @@ void region_verb(const fs::path& case_file, const fs::path& target, std::ostream
         build_tissue(step.anatomy, step.plan.region, step.plan.tissue, progress);
     write_ply(problem.region.mesh, step.folder / "region.ply");
     std::ostringstream vertices;
-    for (const int v : problem.region.face_vertex) vertices << v << '\n';
+    for (const int v : problem.face_vertices) vertices << v << '\n';
     write_text_file(step.folder / "region.txt", vertices.str());
   });
 }
@@ -182,13 +239,37 @@ void predict_verb(const fs::path& case_file, const fs::path& target, bool pictur
     const auto stage = progress.stage("export");
     anatomy.face.document.write(folder.path(), "predicted.obj",
                                 anatomy.face.file_vertices(prediction.face_points));
-    write_vtu(model.problem().tissue.mesh, prediction.answer.displacements,
+    write_vtu(prediction.answer.tissue->tissue.mesh, prediction.answer.displacements,
               folder.path() / "tissue.vtu");
   }
-  write_text_file(folder.path() / "report.json",
-                  report_json(plan, anatomy, model, prediction, progress));
+  write_text_file(folder.path() / "report.json", report_json(plan, anatomy, prediction, progress));
   print_summary(prediction, model, out);
   publish(folder, target, out);
+}
+
+void settle_verb(const fs::path& case_file, const fs::path& target, const SettlingOptions& options,
+                 bool pictures, std::ostream& out, Progress& progress) {
+  write_step(case_file, target, out, progress, [&](const Step& step) {
+    const FaceModel model(step.anatomy, step.plan.region, step.plan.tissue, progress);
+    const std::vector<RigidMotion> motions = planned_motions(step.plan, step.anatomy);
+    const int surface = model.problem().tissue.surface_count;
+    std::ostringstream csv;
+    csv << "time_s,mean_mm,max_mm,energy_Nmm\n" << std::setprecision(9);
+    Stills stills;
+    const auto each = [&](const SettlingFrame& frame) {
+      csv << frame.time_s << ',' << frame.distance.mean << ',' << frame.distance.max << ','
+          << frame.energy_Nmm << '\n';
+      if (pictures) {
+        stills.add({frame.step, frame.time_s, frame.displacements.topRows(surface)});
+      }
+    };
+    const Settling end = settle(model, motions, options, each, progress);
+    write_text_file(step.folder / "settling.csv", csv.str());
+    if (pictures) draw(step.anatomy, model, motions, stills.all(), step.folder, progress);
+    out << (end.settled ? "settled to " : "not settled to ") << options.tolerance_mm
+        << " mm of the static solution of the linear model after " << end.steps << " steps, "
+        << 1000 * end.time_s << " ms\n";
+  });
 }
 
 }  // namespace gnathion

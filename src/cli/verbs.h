@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "base/progress.h"
+#include "prediction/settling.h"
 
 namespace gnathion {
 
@@ -41,5 +42,11 @@ void mesh_verb(const std::filesystem::path& case_file, const std::filesystem::pa
 /// report.json.
 void predict_verb(const std::filesystem::path& case_file, const std::filesystem::path& target,
                   bool pictures, std::ostream& out, Progress& progress);
+
+/// The damped motion from rest to the plan: settling.csv, a line a time step, and with `pictures`
+/// frame_STEP.png, at most 25 of them. Says when the motion has not settled.
+void settle_verb(const std::filesystem::path& case_file, const std::filesystem::path& target,
+                 const SettlingOptions& options, bool pictures, std::ostream& out,
+                 Progress& progress);
 
 }  // namespace gnathion

@@ -190,14 +190,19 @@ class WindowTest : public QObject {
   QString path(const char* name) const { return folder_.filePath(name); }
   User user() const { return {*window_}; }
   void reset_motion() const { user().click("reset_button"); }
-  /// The demo case with something in its plan changed, in a file beside it.
+  /// The demo case with something in its plan changed, in a file beside it. Small strain, unless
+  /// that is changed: large strain takes many seconds.
   template <typename Change>
   QString changed_case(const char* name, Change change) const {
     SurgicalCase plan = read_case_file(demo_.toStdString() + "/case.json");
+    plan.tissue.strain = Strain::small;
     change(plan);
     const QString file = demo_ + "/" + name;
     write_case_file(plan, file.toStdString());
     return file;
+  }
+  QString plain_case() const {
+    return changed_case("plain.json", [](SurgicalCase&) {});
   }
   /// The demo case with its jaw in two halves, left and right.
   QString two_segments() const {
@@ -231,7 +236,7 @@ void WindowTest::initTestCase() {
   window_ = std::make_unique<MainWindow>();
   window_->show();
   QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-  open(*window_, demo_ + "/case.json");
+  open(*window_, plain_case());
   QVERIFY(window_->controller().has_case());
 }
 
@@ -271,7 +276,7 @@ void WindowTest::demoCaseOpensFromItsButton() {
   QCOMPARE(user.box("forward_box")->value(), 6.0);
   QVERIFY(!user.find<QToolButton>("cancel_button")->isVisible());
   QVERIFY(window.windowTitle().startsWith("embedded default case"));
-  QTRY_VERIFY_WITH_TIMEOUT(user.model().refined() != nullptr, patience);
+  QTRY_VERIFY_WITH_TIMEOUT(user.model().refined() != nullptr, 2 * patience);
   QVERIFY(user.model().refined()->relative_residual < 1e-8);
   // The second time it is there already.
   const fs::path file = user.model().loaded().file;
@@ -284,6 +289,7 @@ void WindowTest::demoCaseOpensFromItsButton() {
 void WindowTest::typedNumberMovesTheFace() {
   const User user = this->user();
   const Points rest = user.model().loaded().anatomy->face.mesh.surface.vertices;
+  QTRY_VERIFY_WITH_TIMEOUT(user.model().refinement() == Refinement::done, patience);
   QVERIFY(user.model().response().face == rest);
   const Picture before = window_->face_view().picture();
   user.type("forward_box", "6");
@@ -294,6 +300,7 @@ void WindowTest::typedNumberMovesTheFace() {
   reset_motion();
   QCOMPARE(user.box("forward_box")->value(), 0.0);
   QVERIFY(user.model().response().face == rest);
+  QTRY_VERIFY_WITH_TIMEOUT(user.model().refinement() == Refinement::done, patience);
   QVERIFY(differing_pixels(before, window_->face_view().picture()) < 20);
 }
 
@@ -451,7 +458,7 @@ void WindowTest::refinedAnswerReplacesTheQuickOne() {
   QVERIFY(model.refined() == nullptr);
   QVERIFY(user.caption().contains("6 mm forward"));
   QVERIFY(user.caption().contains("quick answer, linear model"));
-  QVERIFY(user.label("model_label").contains("quick answer, linear model on linear elements"));
+  QVERIFY(user.label("model_label").contains("Quick answer, linear model on linear elements"));
   QTRY_VERIFY_WITH_TIMEOUT(model.refinement() == Refinement::running, patience);
   QVERIFY(user.label("model_label").contains("being refined"));
   QVERIFY(user.find<QToolButton>("cancel_button")->isVisible());
@@ -465,7 +472,7 @@ void WindowTest::refinedAnswerReplacesTheQuickOne() {
   QVERIFY(user.label("model_label").contains("estimated error " + error));
   QVERIFY(user.find<QLabel>("model_label")
               ->toolTip()
-              .startsWith(QString::fromStdString(refined.answer.why)));
+              .startsWith(QString::fromStdString(refined.answer.why), Qt::CaseInsensitive));
   // The next motion is answered at once, by the quick model again.
   user.type("forward_box", "5");
   QVERIFY(model.refined() == nullptr);
@@ -535,7 +542,10 @@ void WindowTest::motionThatIsTooLargeKeepsTheQuickAnswer() {
   window.show();
   open(window, changed_case("large.json", [](SurgicalCase& plan) {
          plan.tissue.strain = Strain::large;
+         plan.tissue.elements = Elements::linear;
          plan.segments[0].motion = {};
+         plan.region.reach_mm = 15;  // few tetrahedra and little room: it gives up soon
+         plan.tissue.edge_mm = 5;
        }));
   const JawMotion motion{.forward_mm = -30, .up_mm = 30, .yaw_deg = 30};
   user.model().set_motion(motion);
@@ -620,7 +630,8 @@ void WindowTest::motionInTimeIsPlayed() {
   QVERIFY(play->isChecked());
   QTRY_VERIFY_WITH_TIMEOUT(times.size() > 1, patience);
   QVERIFY(user.caption().contains("20 times slower"));
-  QVERIFY(user.caption().contains("damped motion"));
+  QVERIFY(user.caption().contains("damped motion, alpha 20/s, beta 0.01 s"));
+  QVERIFY(user.label("model_label").contains("damped motion"));
   QVERIFY(differing_pixels(predicted_face, window_->face_view().picture()) > 500);
   QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, patience);
   QVERIFY(!play->isChecked());
@@ -898,7 +909,7 @@ void WindowTest::exportOutlivesTheWindow() {
   {
     MainWindow window;
     window.show();
-    open(window, demo_ + "/case.json");
+    open(window, plain_case());
     window.controller().export_face(target.toStdString());
   }
   QVERIFY(fs::exists(target.toStdString() + "/predicted.obj"));

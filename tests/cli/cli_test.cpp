@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <memory>
@@ -305,6 +306,40 @@ TEST_F(Cli, EachStepHasItsVerb) {
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(bytes_of(folder() / "region again/region.ply"),
             bytes_of(folder() / "region/region.ply"));
+}
+
+TEST_F(Cli, SettleFollowsTheTissueInTime) {
+  const CliRun run = run_cli(folder(), {"-q", "settle", "demo/case.json", "settled"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out.rfind("settled to 0.01 mm", 0), 0U) << run.out;
+  const std::vector<std::string> names = names_in(folder() / "settled");
+  EXPECT_EQ(names.front(), "frame_00000.png");
+  EXPECT_EQ(names.back(), "settling.csv");
+  EXPECT_GT(names.size(), 5U);
+  EXPECT_LE(names.size(), 26U);
+  EXPECT_NE(bytes_of(folder() / "settled" / names.front()),
+            bytes_of(folder() / "settled" / names[names.size() - 2]));
+  std::istringstream csv(bytes_of(folder() / "settled/settling.csv"));
+  std::string line;
+  std::getline(csv, line);
+  EXPECT_EQ(line, "time_s,mean_mm,max_mm,energy_Nmm");
+  std::vector<std::array<double, 4>> rows;
+  while (std::getline(csv, line)) {
+    std::array<double, 4>& row = rows.emplace_back();
+    ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &row[0], &row[1], &row[2], &row[3]), 4);
+  }
+  EXPECT_EQ(rows.front()[0], 0);
+  EXPECT_NEAR(rows.front()[2], 6, 0.5);  // the whole motion is still to come
+  EXPECT_LE(rows.back()[2], 0.01);
+  EXPECT_LT(rows.back()[3], rows.front()[3]);
+
+  const CliRun given_up = run_cli(folder(), {"-q", "settle", "demo/case.json", "short", "--newmark",
+                                             "--step", "0.001", "--most-steps", "40"});
+  ASSERT_EQ(given_up.code, 0) << given_up.err;
+  EXPECT_NE(given_up.out.find("not settled"), std::string::npos) << given_up.out;
+  EXPECT_EQ(names_in(folder() / "short").size(), 22U);  // of 41 times every 2nd; csv
+  EXPECT_NE(given_up.out.find("40 steps, 40 ms"), std::string::npos) << given_up.out;
+  expect_failure(3, {"dynamics.step"}, {"settle", "demo/case.json", "x", "--step", "0"});
 }
 
 TEST_F(Cli, HelpAndVersionAreNoErrors) {

@@ -7,10 +7,13 @@
 #include <functional>
 #include <iostream>
 
+#include "bench/calibration.h"
 #include "bench/elements.h"
 #include "bench/limits.h"
 #include "bench/mesh_peers.h"
+#include "bench/models.h"
 #include "bench/scaling.h"
+#include "bench/targets.h"
 
 namespace {
 
@@ -30,21 +33,27 @@ int main(int argc, char** argv) {
   long largest = 1000000;
   app.add_option("folder", folder, "for tables (CSV) and plots (SVG)")->required();
   app.add_option("cases", cases, "case files: heads to mesh");
-  app.add_option("--only", only, "hard, meshes, elements, scaling")->take_all();
+  app.add_option("--only", only,
+                 "hard, targets, calibration, models, meshes, elements, scaling; reference: only "
+                 "when named")
+      ->take_all();
   app.add_option("--largest", largest, "tets of the largest patch of the scaling");
   CLI11_PARSE(app, argc, argv);
   int failed = 0;
   const std::vector<Part> parts{
       {"hard", [&](const Report& report) { failed += report_hard_cases(report); }},
+      {"targets", report_targets},
+      {"calibration", report_calibration},
+      {"models", [&](const Report& report) { report_models(report, cases); }},
       {"meshes", [&](const Report& report) { report_mesh_peers(report, cases); }},
       {"elements", [&](const Report& report) { report_elements(report); }},
-      {"scaling", [&](const Report& report) { report_scaling(report, largest); }}};
+      {"scaling", [&](const Report& report) { report_scaling(report, largest); }},
+      {"reference", report_reference}};
   try {
     const Report report(folder);
     for (const Part& part : parts) {
-      if (only.empty() || std::find(only.begin(), only.end(), part.name) != only.end()) {
-        part.run(report);
-      }
+      const bool named = std::find(only.begin(), only.end(), part.name) != only.end();
+      if (named || (only.empty() && part.name != "reference")) part.run(report);
     }
     return failed == 0 ? 0 : 1;
   } catch (const std::exception& error) {

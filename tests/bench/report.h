@@ -24,6 +24,8 @@ class Report {
   void figure(const std::string& name, const std::string& title, const std::vector<Plot>& plots,
               int columns) const;
 
+  const std::filesystem::path& folder() const { return folder_; }
+
  private:
   std::filesystem::path folder_;
 };

@@ -11,15 +11,7 @@
 #include "fem/response_basis.h"
 
 namespace gnathion::bench {
-namespace {
 
-constexpr std::array<const char*, 4> kStages{"ST Generator", "assembly", "order and factor",
-                                             "response basis"};
-constexpr std::array<const char*, 4> kMeterNames{"mesh", "assemble stiffness", "factorise",
-                                                 "basis"};
-
-/// A lower face of p1's edge length and about so many tets; larger ones are larger faces, so that
-/// elements keep their shape. `size`: as a multiple of the lower face's own.
 TriangleMesh patch_of(long tets, double& size) {
   const double vertices = static_cast<double>(tets) * 2192 / 22841;
   size = std::sqrt(vertices / 2192);
@@ -29,6 +21,13 @@ TriangleMesh patch_of(long tets, double& size) {
       mesh, [size](double x, double y) { return size * testing::lower_face(x / size, y / size); });
   return mesh;
 }
+
+namespace {
+
+constexpr std::array<const char*, 4> kStages{"ST Generator", "assembly", "order and factor",
+                                             "response basis"};
+constexpr std::array<const char*, 4> kMeterNames{"mesh", "assemble stiffness", "factorise",
+                                                 "basis"};
 
 /// How a drag frame compares with the memory it runs in.
 struct Frame {

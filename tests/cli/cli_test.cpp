@@ -1,9 +1,9 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 
+#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <map>#include <signal.h>
 
 #include <Eigen/Core>
 #include <algorithm>

@@ -112,7 +112,7 @@ double iterated_against_factorised(double poisson) {
   Progress progress;
   const Eigen::MatrixXd column = u.reshaped<Eigen::RowMajor>();
   const Eigen::VectorXd corrected =
-      column + QuadraticCorrection(linear, progress).correct(column, {}, 500, 1e-3);
+      column + QuadraticCorrection(linear, progress).correct(column, {}, progress, 500, 1e-3);
   const Points difference = Eigen::Map<const Points>(corrected.data(), u.rows(), 3) -
                             linear_answer(direct, motions).topRows(u.rows());
   return difference.topRows(patch.tissue.surface_count).rowwise().norm().mean();

@@ -96,8 +96,8 @@ QuadraticCorrection::Columns QuadraticCorrection::preconditioned(const Columns& 
 }
 
 Eigen::MatrixXd QuadraticCorrection::correct(const Eigen::MatrixXd& u,
-                                             const Eigen::MatrixXd& forces, int iterations,
-                                             double tolerance) const {
+                                             const Eigen::MatrixXd& forces, Progress& progress,
+                                             int iterations, double tolerance) const {
   const Columns start = spread(u);
   Columns r = -stiffness_times(start);
   if (forces.size() > 0) r.topRows(forces.rows()) += forces;
@@ -108,6 +108,7 @@ Eigen::MatrixXd QuadraticCorrection::correct(const Eigen::MatrixXd& u,
   Eigen::ArrayXd rz = r.cwiseProduct(z).colwise().sum().transpose();
   const Eigen::ArrayXd first = rz;
   for (int k = 0; k < iterations && (rz > tolerance * tolerance * first).any(); ++k) {
+    progress.check();
     Columns image = stiffness_times(direction);
     keep_free(image);
     const Eigen::ArrayXd curvature =

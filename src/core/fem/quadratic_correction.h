@@ -20,9 +20,10 @@ class QuadraticCorrection {
   /// `u`: 3n×k, mm, k solutions on the vertices (row 3i+axis). `forces`: 3n×k, N, what loaded them,
   /// or 0×0 for none. Returns 3n×k, mm, at the vertices: to be added to u; its size estimates the
   /// error of u. Stops after `iterations`, or when the residual is `tolerance` of the first.
-  /// Throws Error(numeric) when the result is not finite.
+  /// Throws Error(numeric) when the result is not finite, Error(cancelled).
   Eigen::MatrixXd correct(const Eigen::MatrixXd& u, const Eigen::MatrixXd& forces,
-                          int iterations = kEstimate, double tolerance = 1e-10) const;
+                          Progress& progress, int iterations = kEstimate,
+                          double tolerance = 1e-10) const;
 
  private:
   using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

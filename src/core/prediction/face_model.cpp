@@ -93,9 +93,9 @@ FaceModel FaceModel::on_quadratic_elements(Progress& progress) const {
   const auto stage = progress.stage("response basis on quadratic elements");
   FaceModel model = *this;
   model.order_ = ElementOrder::quadratic;
-  model.set_basis(
-      {basis_.columns() + correction.correct(basis_.columns(), {}, kMostIterations, kSolved),
-       basis_.centres()});
+  model.set_basis({basis_.columns() +
+                       correction.correct(basis_.columns(), {}, progress, kMostIterations, kSolved),
+                   basis_.centres()});
   return model;
 }
 
@@ -147,7 +147,7 @@ StaticSolution FaceModel::solve(std::span<const RigidMotion> motions) const {
 Points FaceModel::corrected(const Points& displacements, int iterations, double tolerance,
                             Progress& progress) const {
   const Eigen::VectorXd u = displacements.reshaped<Eigen::RowMajor>();
-  const Eigen::VectorXd more = correction(progress).correct(u, {}, iterations, tolerance);
+  const Eigen::VectorXd more = correction(progress).correct(u, {}, progress, iterations, tolerance);
   return Eigen::Map<const Points>(more.data(), displacements.rows(), 3);
 }
 

@@ -34,7 +34,6 @@ enum class LoadModel {
   force,         ///< the paper's force transfer (eq. 4)
 };
 
-
 /// What the tissue is made of.
 enum class TissueKinds {
   homogeneous,  ///< TissueModel::material everywhere

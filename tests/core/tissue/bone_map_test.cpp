@@ -183,8 +183,8 @@ TEST_F(BoneBelowSheets, AVertexThatALinkMeetsTakesTheLinksLengthWhereItsOwnRayMi
   link.distance = 11;
   BoneLink longer = link;
   longer.distance = 13;
-  const BoneBelow result = bone_below(skin_, down_, std::array{BspTree(far_away_)}, BspTree(far_away_),
-                                      {link, longer}, BoneBelowOptions{});
+  const BoneBelow result = bone_below(skin_, down_, std::array{BspTree(far_away_)},
+                                      BspTree(far_away_), {link, longer}, BoneBelowOptions{});
   for (const int v : skin_.mesh.triangles.row(500)) {
     EXPECT_EQ(result.bone[v], 0);
     EXPECT_NEAR(result.depth[v], 12, 1e-12);

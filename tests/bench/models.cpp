@@ -216,7 +216,8 @@ Reference head_reference(const Scene& scene) {
   const FaceModel model = model_of(scene, tissue);
   Progress progress;
   const Points face = large_strain_face(model, model.solver(), scene.motions);
-  const Points more = model.solved_correction(model.solve(scene.motions).displacements, progress);
+  const Points more =
+      model.solve_quadratic(scene.motions, progress) - model.solve(scene.motions).displacements;
   const Points& rest = scene.anatomy.face.mesh.surface.vertices;
   return on_region(scene, model, face + model.face_with(more) - rest);
 }

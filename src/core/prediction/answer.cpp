@@ -48,9 +48,8 @@ std::vector<Choice> ladder(const TissueModel& wanted, const FaceModel& model) {
       if (wanted.elements == Elements::quadratic && !quadratic) continue;
       if (wanted.strain == Strain::small && large) continue;
       if (wanted.strain == Strain::large && !large) continue;
-      const bool chosen_both =
-          wanted.elements == Elements::quadratic && wanted.strain == Strain::large;
-      if (quadratic && large && tets > kMostTetsForBoth && !chosen_both) continue;
+      const bool chosen = wanted.elements == Elements::quadratic;
+      if (quadratic && tets > kMostQuadraticTets && !chosen) continue;
       choices.push_back({quadratic, large});
     }
   }
@@ -118,8 +117,7 @@ Answer answer_by(Choice choice, const FaceModel& model, const FaceError& linear_
     set_neo_hookean(choice.quadratic ? model.quadratic_solver(progress) : model.solver(), motions,
                     linear.rows(), answer, progress);
   } else {
-    answer.displacements = linear;
-    if (choice.quadratic) answer.displacements += model.solved_correction(linear, progress);
+    answer.displacements = choice.quadratic ? model.solve_quadratic(motions, progress) : linear;
   }
   answer.face_points = model.face_with(answer.displacements);
   answer.why = words(answer, choice, linear_error, wanted);

@@ -39,9 +39,9 @@ inline constexpr double kQuadraticRest = 0.25;  ///< quadratic elements, of what
 /// Small strain errs more on quadratic elements, which resolve how the tissue bends at the edge of
 /// the bone, than the estimate on linear ones says.
 inline constexpr double kSmallStrainOnQuadratic = 3;
-/// Above this many tets quadratic elements with large strain are not offered: their factor would
-/// take gigabytes and minutes.
-inline constexpr Eigen::Index kMostTetsForBoth = 100000;
+/// Above this many tets quadratic elements are not offered by themselves: their factor would take
+/// gigabytes and minutes.
+inline constexpr Eigen::Index kMostQuadraticTets = 100000;
 
 /// The answer to these motions: that of `quick` where its estimated error keeps the tolerance of
 /// `wanted`, else quadratic elements, large strain, or both, as `wanted` lets: the cheapest that is

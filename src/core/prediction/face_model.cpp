@@ -64,11 +64,6 @@ void FaceModel::set_basis(ResponseBasis basis) {
                  basis_.centres()};
 }
 
-/// Of the quadratic solution, as a part of what it adds.
-constexpr double kSolved = 1e-3;
-/// Enough to 1e-3 mm up to ν = 0.49; at 0.499 a twentieth of the correction is left.
-constexpr int kMostIterations = 120;
-
 const QuadraticCorrection& FaceModel::correction(Progress& progress) const {
   const std::lock_guard lock(quadratic_->mutex);
   if (!quadratic_->correction) {
@@ -89,13 +84,12 @@ const StaticSolver& FaceModel::quadratic_solver(Progress& progress) const {
 
 FaceModel FaceModel::on_quadratic_elements(Progress& progress) const {
   if (order_ == ElementOrder::quadratic || load_ == LoadModel::force) return *this;
-  const QuadraticCorrection& correction = this->correction(progress);
+  const StaticSolver& solver = quadratic_solver(progress);
   const auto stage = progress.stage("response basis on quadratic elements");
+  const ResponseBasis all = response_basis(solver, basis_.centres());
   FaceModel model = *this;
   model.order_ = ElementOrder::quadratic;
-  model.set_basis({basis_.columns() +
-                       correction.correct(basis_.columns(), {}, progress, kMostIterations, kSolved),
-                   basis_.centres()});
+  model.set_basis({all.columns().topRows(basis_.columns().rows()), basis_.centres()});
   return model;
 }
 
@@ -144,19 +138,18 @@ StaticSolution FaceModel::solve(std::span<const RigidMotion> motions) const {
   return solver_->solve(Points::Zero(x.rows(), 3), forces);
 }
 
-Points FaceModel::corrected(const Points& displacements, int iterations, double tolerance,
-                            Progress& progress) const {
-  const Eigen::VectorXd u = displacements.reshaped<Eigen::RowMajor>();
-  const Eigen::VectorXd more = correction(progress).correct(u, {}, progress, iterations, tolerance);
-  return Eigen::Map<const Points>(more.data(), displacements.rows(), 3);
+Points FaceModel::solve_quadratic(std::span<const RigidMotion> motions, Progress& progress) const {
+  const StaticSolver& solver = quadratic_solver(progress);
+  const Points& x = solver.elements().nodes;
+  const Points prescribed = bone_displacements(x, solver.supports(), motions);
+  return solver.solve(prescribed, Points::Zero(x.rows(), 3))
+      .displacements.topRows(solver_->elements().nodes.rows());
 }
 
 Points FaceModel::estimated_correction(const Points& displacements, Progress& progress) const {
-  return corrected(displacements, QuadraticCorrection::kEstimate, kSolved, progress);
-}
-
-Points FaceModel::solved_correction(const Points& displacements, Progress& progress) const {
-  return corrected(displacements, kMostIterations, kSolved, progress);
+  const Eigen::VectorXd u = displacements.reshaped<Eigen::RowMajor>();
+  const Eigen::VectorXd more = correction(progress).correct(u, {}, progress);
+  return Eigen::Map<const Points>(more.data(), displacements.rows(), 3);
 }
 
 }  // namespace gnathion

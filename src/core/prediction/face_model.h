@@ -18,8 +18,8 @@ class FaceModel {
   FaceModel(const Anatomy& anatomy, const RegionChoice& region, const TissueModel& model,
             Progress& progress);
 
-  /// The same tissue on quadratic elements: the solution of their equations to 1e-3 of what they
-  /// add. A frame costs the same. Force transfer has linear elements only.
+  /// The same tissue on quadratic elements, factorised: a frame costs the same. Force transfer has
+  /// linear elements only.
   FaceModel on_quadratic_elements(Progress& progress) const;
 
   /// The predicted face: n×3, mm, LPS, all vertices of the face. Exact for the linear model.
@@ -33,10 +33,11 @@ class FaceModel {
   /// Throws as predict() and StaticSolver::solve.
   StaticSolution solve(std::span<const RigidMotion> motions) const;
 
-  /// What quadratic elements would add to a solution on linear ones, n×3, mm: an estimate, or the
-  /// solution to 1e-3.
+  /// The same for the tissue's vertices on quadratic elements. \pre displacement transfer
+  Points solve_quadratic(std::span<const RigidMotion> motions, Progress& progress) const;
+
+  /// What quadratic elements would add to a solution on linear ones, estimated, n×3, mm.
   Points estimated_correction(const Points& displacements, Progress& progress) const;
-  Points solved_correction(const Points& displacements, Progress& progress) const;
 
   /// The face when the tissue's vertices are displaced so: W u on the face at rest. n×3, mm, LPS.
   Points face_with(const Points& tissue_displacements) const;
@@ -46,7 +47,7 @@ class FaceModel {
   const TissueProblem& problem() const { return *problem_; }
   std::shared_ptr<const TissueProblem> problem_ptr() const { return problem_; }
   const StaticSolver& solver() const { return *solver_; }  ///< on linear elements
-  /// On quadratic elements, factorised when first asked for: what large strain starts from.
+  /// On quadratic elements, factorised when first asked for.
   const StaticSolver& quadratic_solver(Progress& progress) const;
   /// Vertices of the face that move, ascending.
   const std::vector<int>& moving_vertices() const { return moving_vertices_; }
@@ -54,8 +55,6 @@ class FaceModel {
  private:
   void set_basis(ResponseBasis basis);
   const QuadraticCorrection& correction(Progress& progress) const;
-  Points corrected(const Points& displacements, int iterations, double tolerance,
-                   Progress& progress) const;
 
   LoadModel load_;
   ElementOrder order_ = ElementOrder::linear;

@@ -103,7 +103,7 @@ TEST(Answer, QuadraticDragFramesAgreeWithTheQuadraticAnswer) {
   const Answer answer = choose_answer(head(), reach_of_40, wanted, model, motions, progress);
   Points shown;
   model.predict(motions, shown);
-  EXPECT_LT((answer.face_points - shown).cwiseAbs().maxCoeff(), 0.01);
+  EXPECT_LT((answer.face_points - shown).cwiseAbs().maxCoeff(), 1e-9);
   const Points linear =
       answer_to({.forward_mm = 4, .yaw_deg = 5}, tissue(Elements::linear, Strain::small))
           .face_points;

@@ -235,20 +235,33 @@ void print_case(const std::string& path) {
   const double frame = median_seconds(501, [&] { model.predict(prediction.motions, face); });
   std::cout << "| one drag frame, all " << face.rows() << " face vertices | " << frame << " |\n";
   if (plan.landmarks.empty()) return;
-  std::cout << "\nMotion along the bone's, over the bone's, for the released margin "
-               "(tissue.released_mm) of\n\n| landmark | 0 mm | 5 mm | 10 mm | 15 mm "
-               "|\n|---|---|---|---|---|\n";
+  std::cout
+      << "\nMotion along the bone's, over the bone's, by the linear model as it is dragged, for "
+         "the released margin (tissue.released_mm) of, and by the answer\n\n| landmark | 0 mm | "
+         "5 mm | 10 mm | 15 mm | 10 mm, nothing slides | answer |\n|---|---|---|---|---|---|---|\n";
   std::map<std::string, std::string> rows;
-  for (const double released : {0.0, 5.0, 10.0, 15.0}) {
-    plan.tissue.released_mm = released;
-    Progress quiet;
-    const FaceModel variant(anatomy, plan.region, plan.tissue, quiet);
-    for (const auto& [name, r] : make_prediction(plan, anatomy, variant, quiet).landmarks) {
+  const auto add_column = [&](const std::map<std::string, LandmarkResponse>& landmarks) {
+    for (const auto& [name, response] : landmarks) {
       char text[16];
-      std::snprintf(text, sizeof text, " %.2f |", r.ratio);
+      std::snprintf(text, sizeof text, " %.2f |", response.ratio);
       rows[name] += text;
     }
-  }
+  };
+  TissueModel quick = plan.tissue;
+  quick.elements = Elements::linear;
+  quick.strain = Strain::small;
+  const auto add_quick = [&](double released, bool slides) {
+    SurgicalCase variant = plan;
+    variant.tissue = quick;
+    variant.tissue.released_mm = released;
+    variant.tissue.slides_on_teeth = slides;
+    Progress quiet;
+    const FaceModel face_model(anatomy, variant.region, variant.tissue, quiet);
+    add_column(make_prediction(variant, anatomy, face_model, quiet).landmarks);
+  };
+  for (const double released : {0.0, 5.0, 10.0, 15.0}) add_quick(released, true);
+  add_quick(10, false);
+  add_column(prediction.landmarks);
   for (const auto& [name, row] : rows) std::cout << "| " << name << " |" << row << "\n";
 }
 

@@ -8,7 +8,8 @@ namespace gnathion {
 /// hierarchy, of the discretisation error of linear elements. The quadratic equations are not
 /// factorised but iterated on by conjugate gradients from the linear solution, preconditioned by
 /// the linear factor on the vertices and the diagonal blocks on the middles of edges (the two-level
-/// splitting of Yserentant 1986, Bank 1996); a few iterations estimate, many solve.
+/// splitting of Yserentant 1986, Bank 1996); a few iterations
+/// estimate, many solve where ν is not near 1/2.
 class QuadraticCorrection {
  public:
   /// Iterations that make an estimate; docs/evidence.md has its effectivity.

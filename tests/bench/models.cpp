@@ -362,10 +362,11 @@ void report_reference(const Report& report) {
   report.heading("References of the patches");
   Table sure({"scene", "tissue", "against", "mean, mm", "95 %, mm", "max, mm", "seconds"});
   for (const Scene& scene : patch_scenes()) {
-    const double fine = scene.file == "reference-p1" ? 0.5 : 2;
+    const bool p1 = scene.file == "reference-p1";
+    const double fine = p1 ? 0.5 : 2, coarse = p1 ? 1 : 0;
     Reference reference, coarser;
     const double time = seconds([&] { reference = patch_reference(scene, fine); });
-    coarser = patch_reference(scene, 0);
+    coarser = patch_reference(scene, coarse);
     const DistanceStatistics difference =
         distance_statistics((reference.displacements - coarser.displacements).rowwise().norm());
     Table table({"vertex", "x, mm", "y, mm", "z, mm"});
@@ -374,8 +375,9 @@ void report_reference(const Report& report) {
       table.add({static_cast<double>(reference.vertices[i]), u[0], u[1], u[2]});
     }
     write_text_file(report.folder() / (scene.file + ".csv"), table.csv());
-    sure.add({scene.name, "layers of " + number(fine, 1) + " edges", "one layer", difference.mean,
-              difference.p95, difference.max, time});
+    sure.add({scene.name, "layers of " + number(fine, 1) + " edges",
+              coarse == 0 ? "one layer" : "layers of " + number(coarse, 1) + " edges",
+              difference.mean, difference.p95, difference.max, time});
   }
   report.table("reference-sure", sure);
 }

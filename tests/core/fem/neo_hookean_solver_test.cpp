@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <chrono>
 #include <cmath>
 
 #include "bench/chin_problem.h"
@@ -230,16 +229,15 @@ TEST(NeoHookeanSolver, AnswersOrRefusesWhatNoFaceEverDid) {
   for (const RigidMotion& motion : {turned(0, {1, 0, 0}, {20, 20, 0}, {0, 0, 60}),
                                     turned(90, {1, 0, 0}, {20, 20, 0}, {0, 0, 0}),
                                     turned(180, {1, 0, 0}, {20, 20, 0}, {0, 0, 0})}) {
-    const auto start = std::chrono::steady_clock::now();
     try {
       const NeoHookeanSolution solution = scene.solve({motion});
+      EXPECT_LE(solution.newton_iterations, NeoHookeanOptions{}.newton_limit);
       EXPECT_LT(scene.residual(solution.displacements), 1.01e-6);
       EXPECT_GT(solution.most_compressed.volume_ratio, 0);
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::numeric);
       EXPECT_NE(std::string(error.what()).find("the tissue could follow only"), std::string::npos);
     }
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
   }
 }
 

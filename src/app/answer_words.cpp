@@ -57,8 +57,8 @@ AnswerWords words_of(const Prediction& prediction, const CaseController& model) 
     said.status += ", " + inverted;
     sentences << inverted + ".";
   }
-  sentences << words("%1 tetrahedra, relative residual %2.")
-                   .arg(model.loaded().model->problem().tissue.mesh.tets.rows())
+  sentences << words("%1 tetrahedra, relative residual of the linear solution %2.")
+                   .arg(prediction.answer.tissue->tissue.mesh.tets.rows())
                    .arg(prediction.relative_residual, 0, 'e', 0);
   said.explanation = sentences.join("\n");
   return said;
@@ -87,8 +87,8 @@ AnswerWords answer_words(const CaseController& model, const QString& stage) {
       break;
     case Refinement::refused:
       say(words(", not refined"),
-          words("No better model can follow this motion; the error of what is shown is not known. "
-                "Choose a smaller motion."));
+          words("The refinement failed, see the message; the error of what is shown is not "
+                "known."));
       said.warning = true;
       break;
     case Refinement::stopped:

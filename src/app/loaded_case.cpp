@@ -97,7 +97,7 @@ void export_prediction(const LoadedCase& loaded, const SurgicalCase& plan,
   const auto stage = progress.stage("export");
   anatomy.face.document.write(output.path(), "predicted.obj",
                               anatomy.face.file_vertices(prediction->face_points));
-  write_text_file(output.path() / "report.json", report_json(plan, anatomy, *prediction, progress));
+  write_text_file(output.path() / "report.json", report_json(plan, anatomy, *prediction));
   progress.check();
   output.publish();
 }

@@ -125,13 +125,14 @@ void draw(const Anatomy& anatomy, const FaceModel& model, const std::vector<Rigi
   }
 }
 
-void print_summary(const Prediction& prediction, const FaceModel& model, std::ostream& out) {
+void print_summary(const Prediction& prediction, std::ostream& out) {
   out << std::fixed << std::setprecision(2) << "face moves: mean " << prediction.displacement.mean
       << " mm, 95th percentile " << prediction.displacement.p95 << " mm, largest "
       << prediction.displacement.max << " mm (vertices of the region)\n"
-      << "model: " << model.problem().tissue.mesh.tets.rows() << " tetrahedra, relative residual "
-      << std::scientific << std::setprecision(1) << prediction.relative_residual << std::fixed
-      << std::setprecision(2) << '\n'
+      << "model: " << prediction.answer.tissue->tissue.mesh.tets.rows()
+      << " tetrahedra, relative residual of the linear solution " << std::scientific
+      << std::setprecision(1) << prediction.relative_residual << std::fixed << std::setprecision(2)
+      << '\n'
       << "chosen: " << prediction.answer.why << '\n'
       << "the face shown while dragging differs by " << prediction.quick_mm
       << " mm on 95 % of the region\n";
@@ -242,15 +243,17 @@ void predict_verb(const fs::path& case_file, const fs::path& target, bool pictur
     write_vtu(prediction.answer.tissue->tissue.mesh, prediction.answer.displacements,
               folder.path() / "tissue.vtu");
   }
-  write_text_file(folder.path() / "report.json", report_json(plan, anatomy, prediction, progress));
-  print_summary(prediction, model, out);
+  write_text_file(folder.path() / "report.json", report_json(plan, anatomy, prediction));
+  print_summary(prediction, out);
   publish(folder, target, out);
 }
 
 void settle_verb(const fs::path& case_file, const fs::path& target, const SettlingOptions& options,
                  bool pictures, std::ostream& out, Progress& progress) {
   write_step(case_file, target, out, progress, [&](const Step& step) {
-    const FaceModel model(step.anatomy, step.plan.region, step.plan.tissue, progress);
+    TissueModel tissue = step.plan.tissue;
+    tissue.elements = Elements::linear;  // what the damped motion lives on
+    const FaceModel model(step.anatomy, step.plan.region, tissue, progress);
     const std::vector<RigidMotion> motions = planned_motions(step.plan, step.anatomy);
     const int surface = model.problem().tissue.surface_count;
     std::ostringstream csv;

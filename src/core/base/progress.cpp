@@ -1,5 +1,6 @@
 #include "base/progress.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/error.h"
@@ -25,9 +26,12 @@ Progress::Stage Progress::stage(std::string name) {
 }
 
 void Progress::notice(std::string text) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (std::find(notices_.begin(), notices_.end(), text) != notices_.end()) return;
+    notices_.push_back(text);
+  }
   if (on_notice_) on_notice_(text);
-  const std::lock_guard lock(mutex_);
-  notices_.push_back(std::move(text));
 }
 
 void Progress::check() const {

@@ -47,7 +47,8 @@ class Progress {
   /// Begins a stage. Throws Error(cancelled) when the user has cancelled.
   [[nodiscard]] Stage stage(std::string name);
 
-  /// Tells the user something that is no error but must be seen, such as a resampled series.
+  /// Tells the user something that is no error but must be seen, such as a resampled series. Said
+  /// once, however often.
   void notice(std::string text);
 
   void cancel() { cancelled_ = true; }

@@ -16,7 +16,8 @@ enum class SpdBackend {
 SpdBackend default_spd_backend();
 
 /// The Cholesky factor of a symmetric positive definite matrix: made once, asked often. One BLAS
-/// thread, so that the same input gives the same bits.
+/// thread, so that the same input gives the same bits. May be asked from several threads, one at a
+/// time.
 class SpdFactor {
  public:
   /// `lower`: the lower triangle of A, n×n. `order`: n, the elimination order (order[k] is

@@ -160,6 +160,15 @@ TissueModel read_tissue(JsonReader object, const fs::path& case_file) {
   read_choice(object, "kinds", kKinds, tissue.kinds);
   read_choice(object, "elements", kElements, tissue.elements);
   read_choice(object, "strain", kStrains, tissue.strain);
+  if (tissue.load == LoadModel::force) {
+    const std::string remedy = "give \"auto\", or \"displacement\" as tissue.load";
+    if (tissue.elements == Elements::quadratic) {
+      object.refuse("elements", "force transfer has linear elements only", remedy);
+    }
+    if (tissue.strain == Strain::large) {
+      object.refuse("strain", "force transfer has small strain only", remedy);
+    }
+  }
   read_positive(object, "depth_mm", tissue.depth_mm);
   read_positive(object, "bone_reach_mm", tissue.bone_reach_mm);
   read_positive(object, "tolerance_mm", tissue.tolerance_mm);
@@ -337,7 +346,7 @@ json motion_json(const PlannedSegment& segment) {
 }
 
 void add_segments(const std::vector<PlannedSegment>& segments, json& root) {
-  if (segments.size() == 1) {
+  if (segments.size() == 1 && segments[0].name == PlannedSegment{}.name) {
     root["segment"] = cut_json(segments[0].cut);
     root["motion"] = motion_json(segments[0]);
     return;

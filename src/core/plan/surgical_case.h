@@ -60,8 +60,8 @@ struct TissueModel {
   double edge_mm = 0;
   /// Of a layer of elements, in edges of the surface above it. 0: one layer, however thick.
   double layer_edges = 0;
-  /// Bone nearer than this to the bone across the cut does not hold the tissue: there the surgeon
-  /// lifts it off, and lips rest on teeth without being attached to them.
+  /// Bone nearer than this to other bone, across a cut or of the other jaw, does not hold tissue
+  /// that would not slide: there the surgeon lifts it off.
   double released_mm = 10;
   /// Whether tissue over teeth and gums slides on them instead of following them.
   bool slides_on_teeth = true;

@@ -1,6 +1,7 @@
 #include "prediction/answer.h"
 
 #include <cstdio>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -81,6 +82,9 @@ std::string words(const Answer& answer, Choice choice, const FaceError& linear,
                          " tetrahedra, estimated error " + millimetres(answer.error.total.p95) +
                          " on 95 % of the face (tolerance " + millimetres(wanted.tolerance_mm) +
                          ")";
+  if (wanted.load == LoadModel::force) {
+    sentence += "; the error of elements is not estimated for force transfer";
+  }
   const bool chosen = wanted.elements == Elements::automatic || wanted.strain == Strain::automatic;
   if (chosen && (choice.large_strain || choice.quadratic)) {
     sentence += "; the linear model on linear ones would be off by " +
@@ -124,25 +128,36 @@ Answer answer_by(Choice choice, const FaceModel& model, const FaceError& linear_
   return answer;
 }
 
+/// The first of the choices that is estimated to keep the tolerance, else the one with the least
+/// estimated error. \pre choices is not empty.
+Choice best_of(const std::vector<Choice>& choices, const FaceError& linear, double tolerance_mm) {
+  Choice best = choices.front();
+  double least = std::numeric_limits<double>::infinity();
+  for (const Choice& choice : choices) {
+    const double left = remaining(linear, choice).total.p95;
+    if (left <= tolerance_mm) return choice;
+    if (left >= least) continue;
+    best = choice;
+    least = left;
+  }
+  return best;
+}
+
 /// The best choice on one mesh.
 Answer answer_on(const FaceModel& model, const TissueModel& wanted,
                  std::span<const RigidMotion> motions, Progress& progress) {
   const Points linear = model.solve(motions).displacements;
   const FaceError error = estimated_error(model, linear, progress);
-  const std::vector<Choice> choices = ladder(wanted, model);
-  Choice choice;
-  for (const Choice& next : choices) {
-    choice = next;
-    if (remaining(error, next).within(wanted.tolerance_mm)) break;
-  }
+  std::vector<Choice> choices = ladder(wanted, model);
+  const Choice choice = best_of(choices, error, wanted.tolerance_mm);
   Answer answer;
   try {
     answer = answer_by(choice, model, error, linear, wanted, motions, progress);
   } catch (const Error& refusal) {
-    const bool may_be_small = choice.large_strain && wanted.strain == Strain::automatic;
-    if (!may_be_small || refusal.kind() != ErrorKind::numeric) throw;
-    choice.large_strain = false;
-    answer = answer_by(choice, model, error, linear, wanted, motions, progress);
+    std::erase_if(choices, [](const Choice& c) { return c.large_strain; });
+    if (refusal.kind() != ErrorKind::numeric || !choice.large_strain || choices.empty()) throw;
+    answer = answer_by(best_of(choices, error, wanted.tolerance_mm), model, error, linear, wanted,
+                       motions, progress);
     answer.why += "; large strain could not follow the motion: " + refusal.problem();
   }
   answer.quick_error = remaining(error, {model.order() == ElementOrder::quadratic, false});
@@ -171,9 +186,16 @@ Answer choose_answer(const Anatomy& anatomy, const RegionChoice& region, const T
   const FaceError quick_error = answer.quick_error;
   for (const TissueModel& tissue : finer_tissues(wanted)) {
     if (answer.error.within(wanted.tolerance_mm)) break;
-    const FaceModel finer(anatomy, region, tissue, progress);
-    Answer better = answer_on(finer, wanted, motions, progress);
-    if (better.error.total.p95 < answer.error.total.p95) answer = std::move(better);
+    try {
+      const FaceModel finer(anatomy, region, tissue, progress);
+      Answer better = answer_on(finer, wanted, motions, progress);
+      if (better.error.total.p95 < answer.error.total.p95) answer = std::move(better);
+    } catch (const Error& failure) {
+      // An answer is at hand; that a finer mesh has none is no reason to withhold it.
+      if (failure.kind() != ErrorKind::anatomy && failure.kind() != ErrorKind::numeric) throw;
+      answer.why += "; on a finer mesh: " + failure.problem();
+      break;
+    }
   }
   answer.quick_error = quick_error;
   if (!answer.error.within(wanted.tolerance_mm)) {

@@ -46,9 +46,9 @@ inline constexpr Eigen::Index kMostQuadraticTets = 100000;
 /// The answer to these motions: that of `quick` where its estimated error keeps the tolerance of
 /// `wanted`, else quadratic elements, large strain, or both, as `wanted` lets: the cheapest that is
 /// estimated to keep it. Where none does on this mesh and the mesh is the program's choice, the
-/// same on finer ones; where none does at all, the last. Where large strain is the program's choice
-/// and the tissue cannot follow the motion, small strain answers and `why` says so.
-/// Throws as FaceModel, FaceModel::solve and NeoHookeanSolver::solve, Error(cancelled).
+/// same on finer ones; where none does at all, the one with the least estimated error. Where large
+/// strain is the program's choice and the tissue cannot follow the motion, small strain answers and
+/// `why` says so. Throws as FaceModel::solve and NeoHookeanSolver::solve, Error(cancelled).
 Answer choose_answer(const Anatomy& anatomy, const RegionChoice& region, const TissueModel& wanted,
                      const FaceModel& quick, std::span<const RigidMotion> motions,
                      Progress& progress);

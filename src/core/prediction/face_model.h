@@ -10,7 +10,9 @@
 namespace gnathion {
 
 /// The face as a function of the segments' poses, linear in them: made once for a region, asked for
-/// every frame of a drag. Immutable; may be asked from several threads. Motions: one a segment.
+/// every frame of a drag. Its values never change, and it may be asked from several threads; what
+/// quadratic elements need is made once, when first asked for, while other askers wait. Motions:
+/// one a segment.
 class FaceModel {
  public:
   /// Assembles, factorises and solves for the response basis on linear elements, and corrects it to

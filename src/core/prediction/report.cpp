@@ -68,8 +68,7 @@ json model_json(const TissueModel& tissue, const TissueProblem& problem, const A
              {"tolerance_mm", tissue.tolerance_mm},
              {"generator", tissue.generator == Generator::paper ? "paper" : "robust"},
              {"load", tissue.load == LoadModel::force ? "force transfer" : "displacement transfer"},
-             {"young_MPa", tissue.material.young_MPa},
-             {"poisson", tissue.material.poisson},
+             {"kinds", tissue.kinds == TissueKinds::from_ct ? "from the CT" : "homogeneous"},
              {"depth_mm", tissue.depth_mm},
              {"bone_reach_mm", tissue.bone_reach_mm},
              {"released_mm", tissue.released_mm},
@@ -82,7 +81,10 @@ json model_json(const TissueModel& tissue, const TissueProblem& problem, const A
                             {"newton_iterations", work.newton_iterations},
                             {"smallest_volume_ratio", work.most_compressed.volume_ratio}};
   }
-  if (tissue.kinds == TissueKinds::from_ct) {
+  if (tissue.kinds == TissueKinds::homogeneous) {
+    model["young_MPa"] = tissue.material.young_MPa;
+    model["poisson"] = tissue.material.poisson;
+  } else {
     for (const auto& [name, kind] : {std::pair{"fat_mm3", TissueKind::fat},
                                      {"muscle_mm3", TissueKind::muscle},
                                      {"skin_mm3", TissueKind::skin}}) {
@@ -92,8 +94,11 @@ json model_json(const TissueModel& tissue, const TissueProblem& problem, const A
   return model;
 }
 
-json error_json(const FaceError& error) {
-  return {{"elements", statistics_json(distance_statistics(error.discretisation))},
+/// Of force transfer the error of the elements is not estimated.
+json error_json(const FaceError& error, LoadModel load) {
+  const bool estimated = load == LoadModel::displacement;
+  return {{"elements",
+           estimated ? statistics_json(distance_statistics(error.discretisation)) : json(nullptr)},
           {"small_strain", statistics_json(distance_statistics(error.linearisation))},
           {"both", statistics_json(error.total)}};
 }
@@ -149,10 +154,11 @@ Prediction make_prediction(const SurgicalCase& plan, const Anatomy& anatomy, con
   const StaticSolution direct = model.solve(prediction.motions);
   prediction.relative_residual = direct.relative_residual;
   const Points from_basis = model.tissue_displacements(prediction.motions);
-  const double size = direct.displacements.norm();
-  if (size > 0 && model.order() == ElementOrder::linear) {
-    prediction.basis_error = (from_basis - direct.displacements).norm() / size;
-  }
+  const Points solved = model.order() == ElementOrder::quadratic
+                            ? model.solve_quadratic(prediction.motions, progress)
+                            : direct.displacements;
+  const double size = solved.norm();
+  if (size > 0) prediction.basis_error = (from_basis - solved).norm() / size;
   prediction.answer =
       choose_answer(anatomy, plan.region, plan.tissue, model, prediction.motions, progress);
   prediction.face_points = prediction.answer.face_points;
@@ -175,13 +181,14 @@ Prediction make_prediction(const SurgicalCase& plan, const Anatomy& anatomy, con
       signed_distances(prediction.face_points(moving, Eigen::all), face);
   prediction.landmarks = FaceLandmarks(plan.landmarks, face, anatomy.segments)
                              .responses(prediction.face_points, prediction.motions);
+  prediction.stage_times = progress.stage_times();
   return prediction;
 }
 
 std::string report_json(const SurgicalCase& plan, const Anatomy& anatomy,
-                        const Prediction& prediction, const Progress& progress) {
+                        const Prediction& prediction) {
   json times = json::array();
-  for (const StageTime& time : progress.stage_times()) {
+  for (const StageTime& time : prediction.stage_times) {
     times.push_back({{"stage", time.name}, {"seconds", time.seconds}});
   }
   rusage usage{};
@@ -199,8 +206,9 @@ std::string report_json(const SurgicalCase& plan, const Anatomy& anatomy,
       {"face", anatomy.face.is_photograph ? "photograph" : "skin of the CT"},
       {"segments", segments_json(plan, anatomy)},
       {"model", model_json(plan.tissue, *prediction.answer.tissue, prediction.answer)},
-      {"estimated_error_mm", error_json(prediction.answer.error)},
-      {"estimated_error_while_dragging_mm", error_json(prediction.answer.quick_error)},
+      {"estimated_error_mm", error_json(prediction.answer.error, plan.tissue.load)},
+      {"estimated_error_while_dragging_mm",
+       error_json(prediction.answer.quick_error, plan.tissue.load)},
       {"face_while_dragging_differs_by_mm", prediction.quick_mm},
       {"sizes", sizes_json(anatomy, *prediction.answer.tissue)},
       {"element_quality", quality_json(prediction.answer.tissue->tissue)},

@@ -18,9 +18,10 @@ struct Prediction {
   Eigen::VectorXd signed_distance;  ///< n, mm, predicted face to the face before; + is bulge
   DistanceStatistics displacement;  ///< of the vertices of the region
   double relative_residual = 0;     ///< of the direct solve on linear elements
-  double basis_error = 0;   ///< ‖u_basis − u_direct‖ / ‖u_direct‖, 0 without motion
+  double basis_error = 0;  ///< ‖u_basis − u_direct‖ / ‖u_direct‖ on its elements; 0 at rest
   long inverted_after = 0;  ///< tets turned inside out by the motion: 0 with large strain
   std::map<std::string, LandmarkResponse> landmarks;
+  std::vector<StageTime> stage_times;  ///< of all that led to it on the same Progress
 };
 
 /// Predicts the face for the motions of a case's segments with the model that the case asks for or
@@ -32,6 +33,6 @@ Prediction make_prediction(const SurgicalCase& plan, const Anatomy& anatomy, con
 /// The report of a prediction (docs/report.md says what is in it) as JSON text: numbers, hashes and
 /// versions, no path and no patient identity.
 std::string report_json(const SurgicalCase& plan, const Anatomy& anatomy,
-                        const Prediction& prediction, const Progress& progress);
+                        const Prediction& prediction);
 
 }  // namespace gnathion

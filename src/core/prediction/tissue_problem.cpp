@@ -174,9 +174,18 @@ void set_supports(const Anatomy& anatomy, const TissueModel& model, const Bones&
 }
 
 void require_driven(LoadModel load, const TissueProblem& problem) {
-  const bool driven =
-      load == LoadModel::displacement ? problem.attached_count > 0 : !problem.forced.empty();
-  if (driven) return;
+  const bool by_bone =
+      std::any_of(problem.supports.begin(), problem.supports.end(), [](const Support& support) {
+        const bool tied = support == Support::attached || support == Support::sliding;
+        return tied && support.body != Support::kUnmoved;
+      });
+  if (load == LoadModel::displacement ? by_bone : !problem.forced.empty()) return;
+  if (problem.released_count > 0 && load == LoadModel::displacement) {
+    throw Error(ErrorKind::anatomy, "tissue.released_mm",
+                "all tissue on the segment is next to the cut and let go, so nothing would move "
+                "the face",
+                "lower tissue.released_mm");
+  }
   throw Error(ErrorKind::anatomy, "region",
               "no bone of a segment lies under it, so nothing would move the face",
               "choose a region over the segment, or raise tissue.bone_reach_mm");

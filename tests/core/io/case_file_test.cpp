@@ -47,8 +47,8 @@ SurgicalCase full_case(const fs::path& folder) {
                  .material = {0.5, 0.49},
                  .kinds = TissueKinds::from_ct,
                  .load = LoadModel::force,
-                 .elements = Elements::quadratic,
-                 .strain = Strain::large,
+                 .elements = Elements::linear,
+                 .strain = Strain::small,
                  .tolerance_mm = 0.25};
   plan.segments[0].motion = {1, -2, 3.5, -4, 5, -6.25};
   plan.segments[0].pivot = Vector3d(0.1, -20, 33);
@@ -174,6 +174,26 @@ TEST(CaseFile, RefusesSegmentsThatContradictEachOther) {
     const TemporaryFolder folder;
     const fs::path file = folder.write("case.json", head + text + "}");
     expect_error(ErrorKind::case_file, {subject.c_str()}, [&] { read_case_file(file); });
+  }
+}
+
+TEST(CaseFile, TheOnlySegmentKeepsItsName) {
+  const TemporaryFolder folder;
+  SurgicalCase plan = full_case(folder.path());
+  plan.segments[0].name = "mandible";
+  write_case_file(plan, folder / "case.json");
+  expect_equal(read_case_file(folder / "case.json"), plan);
+}
+
+TEST(CaseFile, RefusesWhatForceTransferHasNot) {
+  for (const char* wish : {R"("elements": "quadratic")", R"("strain": "large")"}) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.write(
+        "case.json", R"({"gnathion_case": 1, "ct": {"path": "ct"}, "tissue": {"load": "force", )" +
+                         std::string(wish) +
+                         R"(}, "segment": {"box": {"min": [0, 0, 0], "max": [1, 2, 4]}}})");
+    expect_error(ErrorKind::case_file, {"tissue.", "force transfer", "displacement"},
+                 [&] { read_case_file(file); });
   }
 }
 

@@ -75,7 +75,7 @@ TEST_F(Report, APushedOutFaceBulges) {
 TEST_F(Report, TellsSizesHashesAndVersionsButNoPathAndNoName) {
   Anatomy head = head_;
   head.ct_sha256 = "ba7816bf";
-  const std::string text = report_json(plan_, head, prediction_, progress_);
+  const std::string text = report_json(plan_, head, prediction_);
   const json report = json::parse(text);
   for (const char* key : {"gnathion_report", "program", "frame", "use", "inputs", "face",
                           "segments", "model", "estimated_error_mm", "sizes", "element_quality",

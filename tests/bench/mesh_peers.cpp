@@ -90,7 +90,8 @@ std::vector<Candidate> of_case(const std::string& path) {
     for (const StageTime& stage : stages.stage_times()) {
       if (stage.name.find("mesh") != std::string::npos) time += stage.seconds;
     }
-    all.push_back({plan.name, name, std::move(tissue.mesh), time, {}, colour});
+    all.push_back(
+        {plan.name.substr(0, plan.name.find(',')), name, std::move(tissue.mesh), time, {}, colour});
   }
   const TetMesh tissue = all[0].mesh;
   add_tetgen(plan.name, tissue, all);

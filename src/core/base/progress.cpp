@@ -25,7 +25,7 @@ Progress::Stage Progress::stage(std::string name) {
   return Stage(*this, std::move(name));
 }
 
-void Progress::notice(std::string text) {
+void Progress::notice(const std::string& text) {
   {
     const std::lock_guard lock(mutex_);
     if (std::find(notices_.begin(), notices_.end(), text) != notices_.end()) return;

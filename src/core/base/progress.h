@@ -49,7 +49,7 @@ class Progress {
 
   /// Tells the user something that is no error but must be seen, such as a resampled series. Said
   /// once, however often.
-  void notice(std::string text);
+  void notice(const std::string& text);
 
   void cancel() { cancelled_ = true; }
   bool is_cancelled() const { return cancelled_; }

@@ -729,6 +729,8 @@ void WindowTest::pictureIsSaved() {
 void WindowTest::brokenCasesLeaveTheOpenOneAlone() {
   const User user = this->user();
   user.type("forward_box", "3");
+  // The caption and the face change once more when the answer comes.
+  QTRY_VERIFY_WITH_TIMEOUT(user.model().refined() != nullptr, 2 * patience);
   QTest::qWait(100);  // the layout, after the message of the test before
   const Picture before = window_->face_view().picture();
   const LoadedCase* open_case = &user.model().loaded();

@@ -81,10 +81,9 @@ void report_calibration(const Report& report) {
       testing::refined(p.tissue.mesh), {},
       supports_of_nodes(ElementMesh(p.tissue.mesh, ElementOrder::quadratic), p.supports), progress);
   const Eigen::MatrixXd u = linear_columns(solver, motions), v = linear_columns(fine, motions);
-  const Eigen::MatrixXd estimate = QuadraticCorrection(solver, progress).correct(u, {}, progress);
+  const Eigen::MatrixXd estimate = QuadraticCorrection(solver, progress).correct(u, progress);
   const Eigen::MatrixXd reference =
-      (v + QuadraticCorrection(fine, progress).correct(v, {}, progress, 300, 1e-3))
-          .topRows(u.rows());
+      (v + QuadraticCorrection(fine, progress).correct(v, progress, 300, 1e-3)).topRows(u.rows());
   Table table({"estimate", "motion", "true mean, mm", "estimated mean, mm", "ratio",
                "true 95 %, mm", "estimated 95 %, mm", "ratio of 95 %"});
   const int skin = p.tissue.surface_count;

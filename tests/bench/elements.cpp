@@ -70,7 +70,7 @@ Points chin_reference(const ChinProblem& p, const ElasticMaterial& material) {
   const Points u = linear.solve(bone, Points::Zero(bone.rows(), 3)).displacements;
   const Eigen::MatrixXd column = u.reshaped<Eigen::RowMajor>();
   const Eigen::VectorXd fine =
-      column + QuadraticCorrection(linear, progress).correct(column, {}, progress, 800, 1e-5);
+      column + QuadraticCorrection(linear, progress).correct(column, progress, 800, 1e-5);
   return Eigen::Map<const Points>(fine.data(), u.rows(), 3).topRows(p.tissue.surface_count);
 }
 

@@ -175,10 +175,11 @@ bool Walk::is_settled(const State& state, double tolerance) {
 /// Whether the residuals of the last iterations promise the tolerance soon.
 bool Walk::promising(const std::vector<double>& residuals, double tolerance) const {
   constexpr std::size_t kWindow = 5, kPatience = 9;
+  constexpr double kWorthAFactor = 25;  // more iterations to go than this take longer than a factor
   if (residuals.size() < kPatience) return true;
   const double now = residuals.back();
   const double rate = std::log(now / residuals[residuals.size() - 1 - kWindow]) / kWindow;
-  return rate < 0 && std::log(tolerance / now) / rate < options_.anderson_patience;
+  return rate < 0 && std::log(tolerance / now) / rate < kWorthAFactor;
 }
 
 /// Iterates with the factor at hand. Where that does not converge, what it leaves has no more

@@ -14,7 +14,6 @@ struct NeoHookeanOptions {
   /// promises to converge. Without it every iteration is Newton's.
   bool frozen_factor = true;
   int anderson_depth = 10;           ///< changes that the acceleration remembers
-  int anderson_patience = 25;        ///< iterations to go before another factor is worth its time
   int newton_limit = 80;             ///< tangents factorised in all, before the motion is refused
   double smallest_step = 1.0 / 256;  ///< of the path, before the motion is refused
 };

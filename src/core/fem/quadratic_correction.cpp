@@ -95,12 +95,10 @@ QuadraticCorrection::Columns QuadraticCorrection::preconditioned(const Columns& 
   return z;
 }
 
-Eigen::MatrixXd QuadraticCorrection::correct(const Eigen::MatrixXd& u,
-                                             const Eigen::MatrixXd& forces, Progress& progress,
+Eigen::MatrixXd QuadraticCorrection::correct(const Eigen::MatrixXd& u, Progress& progress,
                                              int iterations, double tolerance) const {
   const Columns start = spread(u);
   Columns r = -stiffness_times(start);
-  if (forces.size() > 0) r.topRows(forces.rows()) += forces;
   keep_free(r);
   Columns x = Columns::Zero(r.rows(), r.cols());
   Columns z = preconditioned(r);

@@ -18,12 +18,11 @@ class QuadraticCorrection {
   /// `linear`: a solver on linear elements; must outlive this.
   QuadraticCorrection(const StaticSolver& linear, Progress& progress);
 
-  /// `u`: 3n×k, mm, k solutions on the vertices (row 3i+axis). `forces`: 3n×k, N, what loaded them,
-  /// or 0×0 for none. Returns 3n×k, mm, at the vertices: to be added to u; its size estimates the
-  /// error of u. Stops after `iterations`, or when the residual is `tolerance` of the first.
+  /// `u`: 3n×k, mm, k solutions of prescribed motions on the vertices (row 3i+axis). Returns 3n×k,
+  /// mm, at the vertices: to be added to u; its size estimates the error of u. Stops after
+  /// `iterations`, or when the residual is `tolerance` of the first.
   /// Throws Error(numeric) when the result is not finite, Error(cancelled).
-  Eigen::MatrixXd correct(const Eigen::MatrixXd& u, const Eigen::MatrixXd& forces,
-                          Progress& progress, int iterations = kEstimate,
+  Eigen::MatrixXd correct(const Eigen::MatrixXd& u, Progress& progress, int iterations = kEstimate,
                           double tolerance = 1e-10) const;
 
  private:

@@ -40,7 +40,7 @@ ResponseBasis::ResponseBasis(Eigen::MatrixXd columns, std::vector<Eigen::Vector3
     : columns_(std::move(columns)), centres_(std::move(centres)) {}
 
 void ResponseBasis::displacements(std::span<const RigidMotion> motions, Points& out) const {
-  out.setZero(point_count(), 3);
+  out.setZero(columns_.rows() / 3, 3);
   for (std::size_t s = 0; s < centres_.size(); ++s) {
     const Eigen::Matrix3d turn = motions[s].rotation - Eigen::Matrix3d::Identity();
     Eigen::Matrix<double, kColumns, 1> pose;
@@ -51,6 +51,9 @@ void ResponseBasis::displacements(std::span<const RigidMotion> motions, Points& 
   }
 }
 
+namespace {
+
+/// What the columns of a basis prescribe: 3n×12s fields at the nodes that bone moves.
 Eigen::MatrixXd basis_loads(const Points& nodes, const Supports& supports,
                             const std::vector<Eigen::Vector3d>& centres) {
   const Eigen::Index n = nodes.rows();
@@ -69,6 +72,8 @@ Eigen::MatrixXd basis_loads(const Points& nodes, const Supports& supports,
   }
   return loads;
 }
+
+}  // namespace
 
 ResponseBasis response_basis(const StaticSolver& solver,
                              const std::vector<Eigen::Vector3d>& centres) {

@@ -25,7 +25,6 @@ class ResponseBasis {
 
   const Eigen::MatrixXd& columns() const { return columns_; }
   const std::vector<Eigen::Vector3d>& centres() const { return centres_; }
-  Eigen::Index point_count() const { return columns_.rows() / 3; }
 
  private:
   Eigen::MatrixXd columns_;
@@ -36,10 +35,6 @@ class ResponseBasis {
 /// segment, mm, LPS, best within it (small numbers cancel least).
 ResponseBasis response_basis(const StaticSolver& solver,
                              const std::vector<Eigen::Vector3d>& centres);
-
-/// What the columns of a basis prescribe: 3n×12s fields at the nodes that bone moves.
-Eigen::MatrixXd basis_loads(const Points& nodes, const Supports& supports,
-                            const std::vector<Eigen::Vector3d>& centres);
 
 /// Displacements under force transfer (paper, eq. 4): the force at a forced point with normal n is
 /// F_i = F cos θ_i = |F| F̂ F̂ᵀ n, linear in the six entries of the symmetric |F| F̂F̂ᵀ. |F| is what

@@ -204,4 +204,14 @@ double mean_edge_length(const TriangleMesh& mesh) {
   return mesh.triangles.rows() == 0 ? 0 : sum / static_cast<double>(3 * mesh.triangles.rows());
 }
 
+std::vector<bool> widened(const std::vector<bool>& flags,
+                          const std::vector<std::vector<int>>& neighbours) {
+  std::vector<bool> wide = flags;
+  for (std::size_t v = 0; v < flags.size(); ++v) {
+    if (!flags[v]) continue;
+    for (const int w : neighbours[v]) wide[w] = true;
+  }
+  return wide;
+}
+
 }  // namespace gnathion

@@ -49,6 +49,11 @@ SubMesh sub_mesh(const TriangleMesh& mesh, const std::vector<bool>& keep);
 /// Neighbouring vertices of each vertex, through edges, ascending.
 std::vector<std::vector<int>> vertex_neighbours(const TriangleMesh& mesh);
 
+/// The flagged vertices and their neighbours. flags, neighbours: one a vertex, as
+/// vertex_neighbours().
+std::vector<bool> widened(const std::vector<bool>& flags,
+                          const std::vector<std::vector<int>>& neighbours);
+
 /// Enclosed volume in mm³ of a closed surface, positive when its normals point outward.
 double signed_volume(const TriangleMesh& mesh);
 

@@ -148,7 +148,7 @@ Points FaceModel::solve_quadratic(std::span<const RigidMotion> motions, Progress
 
 Points FaceModel::estimated_correction(const Points& displacements, Progress& progress) const {
   const Eigen::VectorXd u = displacements.reshaped<Eigen::RowMajor>();
-  const Eigen::VectorXd more = correction(progress).correct(u, {}, progress);
+  const Eigen::VectorXd more = correction(progress).correct(u, progress);
   return Eigen::Map<const Points>(more.data(), displacements.rows(), 3);
 }
 

@@ -267,10 +267,6 @@ double rim_distance(const IntermediateMesh& region, const BspTree& segment) {
   return least;
 }
 
-}  // namespace
-
-namespace {
-
 void set_region(const Anatomy& anatomy, const RegionChoice& choice, const TissueModel& model,
                 const Bones& bones, TissueProblem& problem, Progress& progress) {
   const auto stage = progress.stage("region");

@@ -178,17 +178,6 @@ std::vector<bool> crossing_vertices(const IntermediateMesh& region, const SoftTi
   return marked;
 }
 
-/// The flagged vertices and their neighbours.
-std::vector<bool> widened(const std::vector<bool>& flags,
-                          const std::vector<std::vector<int>>& neighbours) {
-  std::vector<bool> wide = flags;
-  for (std::size_t v = 0; v < flags.size(); ++v) {
-    if (!flags[v]) continue;
-    for (const int w : neighbours[v]) wide[w] = true;
-  }
-  return wide;
-}
-
 /// Makes the tissue at each vertex thinner by a factor. Centre points keep their places among the
 /// inner vertices, but come as much nearer to the middle of them.
 void thin(const IntermediateMesh& region, const Points& weights, const Eigen::VectorXd& factor,

@@ -29,17 +29,6 @@ std::vector<bool> folded_vertices(const TriangleMesh& mesh, const std::vector<Ed
   return folded;
 }
 
-/// The flagged vertices and their neighbours.
-std::vector<bool> widened(const std::vector<bool>& flags,
-                          const std::vector<std::vector<int>>& neighbours) {
-  std::vector<bool> wide = flags;
-  for (std::size_t v = 0; v < flags.size(); ++v) {
-    if (!flags[v]) continue;
-    for (const int w : neighbours[v]) wide[w] = true;
-  }
-  return wide;
-}
-
 }  // namespace
 
 Unfolding unfold(const IntermediateMesh& region, int rounds) {

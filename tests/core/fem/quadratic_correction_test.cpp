@@ -55,8 +55,9 @@ TEST(QuadraticCorrection, ConvergesToTheDirectSolutionOnQuadraticElements) {
   for (const HeldPatch& patch : {held_patch(), sliding_patch()}) {
     BothOrders both(patch);
     const Eigen::MatrixXd linear = both.linear_basis(), quadratic = both.quadratic_basis();
-    const Eigen::MatrixXd corrected = linear + QuadraticCorrection(both.linear, both.progress)
-                                                   .correct(linear, {}, both.progress, 400, 1e-9);
+    const Eigen::MatrixXd corrected =
+        linear +
+        QuadraticCorrection(both.linear, both.progress).correct(linear, both.progress, 400, 1e-9);
     EXPECT_LT((corrected - quadratic).norm(), 1e-6 * (quadratic - linear).norm());
   }
 }
@@ -66,35 +67,18 @@ TEST(QuadraticCorrection, ItsEstimateIsOfTheSizeOfTheTruth) {
   const Eigen::MatrixXd linear = both.linear_basis();
   const Eigen::MatrixXd truth = both.quadratic_basis() - linear;
   const Eigen::MatrixXd estimate =
-      QuadraticCorrection(both.linear, both.progress).correct(linear, {}, both.progress);
+      QuadraticCorrection(both.linear, both.progress).correct(linear, both.progress);
   for (Eigen::Index column = 9; column < 12; ++column) {  // the translations
     EXPECT_GT(estimate.col(column).norm(), 0.6 * truth.col(column).norm());
     EXPECT_LT(estimate.col(column).norm(), 1.2 * truth.col(column).norm());
   }
 }
 
-TEST(QuadraticCorrection, CountsForces) {
-  BothOrders both(held_patch());
-  const Eigen::Index n = 3 * both.patch.tissue.mesh.vertices.rows();
-  const Eigen::Index all = 3 * both.quadratic.elements().nodes.rows();
-  Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(n, 1);
-  forces(3 * 200 + 2, 0) = 0.01;
-  Eigen::MatrixXd forces_all = Eigen::MatrixXd::Zero(all, 1);
-  forces_all.topRows(n) = forces;
-  const Eigen::MatrixXd linear = both.linear.solve_columns(Eigen::MatrixXd::Zero(n, 1), forces);
-  const Eigen::MatrixXd quadratic =
-      both.quadratic.solve_columns(Eigen::MatrixXd::Zero(all, 1), forces_all).topRows(n);
-  const Eigen::MatrixXd corrected = linear + QuadraticCorrection(both.linear, both.progress)
-                                                 .correct(linear, forces, both.progress, 400, 1e-9);
-  EXPECT_LT((corrected - quadratic).norm(), 1e-6 * quadratic.norm());
-}
-
 TEST(QuadraticCorrection, OfNoMotionIsNone) {
   BothOrders both(held_patch());
   const Eigen::MatrixXd still =
       Eigen::MatrixXd::Zero(3 * both.patch.tissue.mesh.vertices.rows(), 2);
-  EXPECT_EQ(QuadraticCorrection(both.linear, both.progress).correct(still, {}, both.progress),
-            still);
+  EXPECT_EQ(QuadraticCorrection(both.linear, both.progress).correct(still, both.progress), still);
 }
 
 TEST(QuadraticCorrection, CanBeCancelled) {
@@ -102,8 +86,7 @@ TEST(QuadraticCorrection, CanBeCancelled) {
   const Eigen::MatrixXd linear = both.linear_basis();
   const QuadraticCorrection correction(both.linear, both.progress);
   both.progress.cancel();
-  test::expect_error(ErrorKind::cancelled, {},
-                     [&] { correction.correct(linear, {}, both.progress); });
+  test::expect_error(ErrorKind::cancelled, {}, [&] { correction.correct(linear, both.progress); });
 }
 
 }  // namespace

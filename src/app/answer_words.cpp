@@ -68,8 +68,17 @@ AnswerWords words_of(const Prediction& prediction, const CaseController& model) 
 
 AnswerWords answer_words(const CaseController& model, const QString& stage) {
   if (const Prediction* prediction = model.refined()) return words_of(*prediction, model);
-  const QString name = model_name(model.loaded().model->order(), false);
   AnswerWords said;
+  if (!model.has_model()) {
+    const auto& why = model.loaded().no_model;
+    said.warning = why.has_value();
+    said.status =
+        why ? words("The face cannot follow: %1").arg(QString::fromStdString(why->problem()))
+            : words("Nothing is cut yet: the step Bone makes a segment that can move");
+    said.explanation = why ? QString::fromStdString(why->remedy()) : QString();
+    return said;
+  }
+  const QString name = model_name(model.quick_model().order(), false);
   const QString quick = words("quick answer, %1").arg(name);
   const auto say = [&](const QString& state, const QString& sentence) {
     said.caption = quick + state;
@@ -77,6 +86,7 @@ AnswerWords answer_words(const CaseController& model, const QString& stage) {
     said.explanation = sentence;
   };
   switch (model.refinement()) {
+    case Refinement::none:
     case Refinement::waiting:
     case Refinement::done:
       say({}, words("Its error is estimated, and a better model asked, when the motion rests."));
@@ -103,6 +113,7 @@ AnswerWords answer_words(const CaseController& model, const QString& stage) {
 
 QString predicted_words(const CaseController& model) {
   const std::vector<JawMotion>& motions = model.motions();
+  if (motions.empty()) return words("Before any cut");
   if (motions.size() == 1) return words("Predicted: %1").arg(motion_words(motions[0]));
   QStringList lines{words("Predicted")};
   for (std::size_t s = 0; s < motions.size(); ++s) {

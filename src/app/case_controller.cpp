@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/motion_words.h"
+#include "io/case_file.h"
+
 namespace gnathion {
 namespace {
 
@@ -20,35 +23,59 @@ JawMotion within_limits(JawMotion motion) {
   return motion;
 }
 
-/// The linear model's answer. Throws as FaceModel::predict.
-Response quick_response(const LoadedCase& loaded, std::span<const JawMotion> motions) {
+std::vector<JawMotion> motions_of(const SurgicalCase& plan) {
+  std::vector<JawMotion> motions;
+  for (const PlannedSegment& segment : plan.segments) motions.push_back(segment.motion);
+  return motions;
+}
+
+/// The answer of `model`; null: the bone moves alone. Throws as FaceModel::predict.
+Response quick_response(const LoadedCase& loaded, const FaceModel* model,
+                        std::span<const JawMotion> motions) {
   Response response;
   for (std::size_t s = 0; s < motions.size(); ++s) {
     response.poses.push_back(rigid_motion(motions[s], loaded.anatomy->segments[s].pivot));
   }
-  loaded.model->predict(response.poses, response.face);
-  const std::vector<int>& moving = loaded.model->moving_vertices();
   const Points& rest = loaded.anatomy->face.mesh.surface.vertices;
-  const Points moved_by = response.face(moving, Eigen::all) - rest(moving, Eigen::all);
-  response.displacement = distance_statistics(moved_by.rowwise().norm());
+  if (model == nullptr) {
+    response.face = rest;
+  } else {
+    model->predict(response.poses, response.face);
+    const std::vector<int>& moving = model->moving_vertices();
+    const Points moved_by = response.face(moving, Eigen::all) - rest(moving, Eigen::all);
+    response.displacement = distance_statistics(moved_by.rowwise().norm());
+  }
   response.landmarks = loaded.landmarks.responses(response.face, response.poses);
   return response;
 }
 
 }  // namespace
 
+/// A case as it was read and computed.
+struct CaseController::Opened {
+  PlanHistory history;
+  fs::path file;  ///< empty: it has none yet
+  bool is_saved;  ///< whether the file says the same
+  std::shared_ptr<const LoadedCase> loaded = {};
+};
+
 CaseController::CaseController(QObject* parent) : QObject(parent) {
   rest_.setSingleShot(true);
   rest_.setInterval(200);
-  connect(&rest_, &QTimer::timeout, this, &CaseController::refine);
-  connect_work(opening_);
-  connect_work(exporting_);
+  connect(&rest_, &QTimer::timeout, this, &CaseController::rest);
+  for (BackgroundTask* task : {&opening_, &editing_, &exporting_}) connect_work(*task);
   connect(&opening_, &BackgroundTask::noticed, this, &CaseController::noticed);
+  connect(&editing_, &BackgroundTask::noticed, this, &CaseController::noticed);
+  connect(&editing_, &BackgroundTask::cancelled, this, &CaseController::take_back_edit);
+  connect(&editing_, &BackgroundTask::failed, this, &CaseController::take_back_edit);
   connect(&refining_, &BackgroundTask::stage_began, this, &CaseController::refinement_stage);
   connect(&refining_, &BackgroundTask::failed, this, [this](const Failure& failure) {
     set_refinement(Refinement::refused);
     emit failed(failure);
   });
+  // Without quadratic elements the drag goes on with linear ones, as before.
+  connect(&sharpening_, &BackgroundTask::finished, this, &CaseController::refine);
+  connect(&sharpening_, &BackgroundTask::failed, this, &CaseController::refine);
 }
 
 CaseController::~CaseController() {
@@ -69,40 +96,59 @@ void CaseController::connect_work(BackgroundTask& task) {
 }
 
 void CaseController::open_case(const fs::path& file) {
-  const QString name = QFile::decodeName(file.c_str());
-  open(tr("Opening %1").arg(name), [file](Progress&) { return file; });
+  open(tr("Opening %1").arg(QFile::decodeName(file.c_str())), [file](Progress&) {
+    return Opened{read_case_history(file), fs::absolute(file), true};
+  });
 }
 
 void CaseController::open_demo_case(const fs::path& cache) {
   const fs::path program = QFile::encodeName(QCoreApplication::applicationFilePath()).toStdString();
   open(tr("Opening the demo case"), [cache, program](Progress& progress) {
-    return cached_demo_case(cache, program, progress) / "case.json";
+    const fs::path file = cached_demo_case(cache, program, progress) / "case.json";
+    // It has no file of its own: saving must not change the cache.
+    return Opened{
+        PlanHistory(tr("Open the demo case").toStdString(), read_case_file(file)), {}, true};
   });
 }
 
-void CaseController::open(const QString& what, std::function<fs::path(Progress&)> case_file) {
-  opening_.start([this, case_file = std::move(case_file)](Progress& progress) {
-    auto loaded = load_case(case_file(progress), progress);
-    return [this, loaded] { publish(loaded); };
+void CaseController::import_ct(const CtSource& ct) {
+  open(tr("Importing %1").arg(QFile::decodeName(ct.path.c_str())), [ct](Progress&) {
+    SurgicalCase plan;
+    plan.ct = ct;
+    return Opened{PlanHistory(tr("Import the CT").toStdString(), std::move(plan)), {}, false};
+  });
+}
+
+void CaseController::recover_case(const fs::path& file, const fs::path& saved_as) {
+  open(tr("Recovering a case"), [file, saved_as](Progress&) {
+    return Opened{read_case_history(file), saved_as, false};
+  });
+}
+
+void CaseController::open(const QString& what, std::function<Opened(Progress&)> read) {
+  opening_.start([this, read = std::move(read)](Progress& progress) {
+    Opened opened = read(progress);
+    opened.loaded = load_case(opened.history.plan(), nullptr, progress);
+    return [this, opened] { publish(opened); };
   });
   emit work_began(what);
 }
 
-void CaseController::publish(std::shared_ptr<const LoadedCase> loaded) {
-  std::vector<JawMotion> motions;
-  bool cut = false;
-  for (const PlannedSegment& segment : loaded->plan.segments) {
-    motions.push_back(within_limits(segment.motion));
-    cut = cut || motions.back() != segment.motion;
-  }
-  Response response = quick_response(*loaded, motions);
-  loaded_ = std::move(loaded);
-  motions_ = std::move(motions);
+void CaseController::publish(const Opened& opened) {
+  std::vector<JawMotion> motions = motions_of(opened.loaded->plan);
+  for (JawMotion& motion : motions) motion = within_limits(motion);
+  const bool cut = motions != motions_of(opened.loaded->plan);
+  editing_.cancel();
+  pending_.reset();
+  held_ = false;
   active_ = 0;
-  response_ = std::move(response);
-  await_rest();
+  file_ = opened.file;
+  history_ = opened.history;
+  saved_plan_ = opened.is_saved ? history_->steps()[history_->position()].plan : nullptr;
+  take(opened.loaded, std::move(motions));
   emit case_opened();
   emit motion_changed();
+  emit history_changed();
   if (cut) {
     emit noticed(tr("The case's motion is larger than this window can set (%1 mm, %2°) and was cut "
                     "to that.")
@@ -111,10 +157,103 @@ void CaseController::publish(std::shared_ptr<const LoadedCase> loaded) {
   }
 }
 
+/// Shows what was computed, with these motions.
+void CaseController::take(std::shared_ptr<const LoadedCase> loaded,
+                          std::vector<JawMotion> motions) {
+  Response response = quick_response(*loaded, loaded->model.get(), motions);
+  sharpening_.cancel();
+  sharp_.reset();
+  loaded_ = std::move(loaded);
+  motions_ = std::move(motions);
+  active_ = std::min(active_, motions_.empty() ? 0 : motions_.size() - 1);
+  response_ = std::move(response);
+  await_rest();
+}
+
+bool CaseController::is_modified() const {
+  return has_case() && (saved_plan_ == nullptr || plan_with_motions() != *saved_plan_);
+}
+
+void CaseController::save_case(const fs::path& file) {
+  commit_motion();
+  try {
+    write_case_history(history(), file);
+  } catch (const Error& error) {
+    emit failed(failure_of(error));
+    return;
+  }
+  file_ = fs::absolute(file);
+  saved_plan_ = history().steps()[history().position()].plan;
+  emit history_changed();
+  emit saved(QFile::decodeName(file_.c_str()));
+}
+
+void CaseController::edit(const QString& step, SurgicalCase plan) {
+  commit_motion();
+  PlanHistory wanted = history();
+  wanted.push(step.toStdString(), std::move(plan));
+  go_to(std::move(wanted));
+}
+
+void CaseController::undo() {
+  if (!has_case()) return;
+  commit_motion();
+  PlanHistory wanted = history();
+  if (!wanted.can_undo()) return;
+  wanted.undo();
+  go_to(std::move(wanted));
+}
+
+void CaseController::redo() {
+  if (!has_case()) return;
+  commit_motion();
+  PlanHistory wanted = history();
+  if (!wanted.can_redo()) return;
+  wanted.redo();
+  go_to(std::move(wanted));
+}
+
+/// Makes another plan the present one: motions at once, all else beside the window.
+void CaseController::go_to(PlanHistory history) {
+  if (same_but_for_motions(history.plan(), loaded_->plan)) {
+    editing_.cancel();
+    pending_.reset();
+    history_ = std::move(history);
+    take(loaded_, motions_of(history_->plan()));
+    emit motion_changed();
+    emit history_changed();
+    return;
+  }
+  const QString name = QString::fromStdString(history.steps()[history.position()].name);
+  pending_ = std::move(history);
+  editing_.start([this, plan = pending_->plan(), known = loaded_](Progress& progress) {
+    auto loaded = load_case(plan, known.get(), progress);
+    return [this, loaded] { finish_edit(loaded); };
+  });
+  emit history_changed();
+  emit work_began(name);
+}
+
+void CaseController::finish_edit(std::shared_ptr<const LoadedCase> loaded) {
+  history_ = std::move(*pending_);
+  pending_.reset();
+  std::vector<JawMotion> motions = motions_of(loaded->plan);
+  take(std::move(loaded), std::move(motions));
+  emit case_changed();
+  emit motion_changed();
+  emit history_changed();
+}
+
+void CaseController::take_back_edit() {
+  if (!pending_) return;
+  pending_.reset();
+  emit history_changed();
+}
+
 void CaseController::export_face(const fs::path& folder) {
-  if (!has_case() || is_exporting()) return;
-  exporting_.start([this, loaded = loaded_, plan = plan_with(*loaded_, motions_),
-                    prediction = refined_, folder](Progress& progress) {
+  if (!has_model() || is_exporting()) return;
+  exporting_.start([this, loaded = loaded_, plan = plan_with_motions(), prediction = refined_,
+                    folder](Progress& progress) {
     export_prediction(*loaded, plan, prediction, folder, progress);
     return [this, folder] { emit exported(QFile::decodeName(folder.c_str())); };
   });
@@ -123,6 +262,7 @@ void CaseController::export_face(const fs::path& folder) {
 
 void CaseController::cancel() {
   opening_.cancel();
+  editing_.cancel();
   exporting_.cancel();
 }
 
@@ -132,7 +272,7 @@ void CaseController::set_motion(const JawMotion& motion) {
     std::vector<JawMotion> motions = motions_;
     motions[active_] = wanted;
     try {
-      response_ = quick_response(*loaded_, motions);
+      response_ = quick_response(*loaded_, has_model() ? &quick_model() : nullptr, motions);
       motions_ = std::move(motions);
       await_rest();
     } catch (const Error& error) {
@@ -141,6 +281,30 @@ void CaseController::set_motion(const JawMotion& motion) {
   }
   // Told even when nothing changed: a control may show a value that was cut or refused.
   emit motion_changed();
+}
+
+void CaseController::hold_motion(bool held) {
+  held_ = held;
+  if (!held_) commit_motion();
+}
+
+/// The motions since the last step as a step.
+void CaseController::commit_motion() {
+  if (pending_ || !history_ || motions_ == motions_of(history_->plan())) return;
+  history_->push(tr("Move %1: %2")
+                     .arg(QString::fromStdString(loaded_->anatomy->segments[active_].name),
+                          motion_words(motion()))
+                     .toStdString(),
+                 plan_with_motions());
+  emit history_changed();
+}
+
+/// What is planned now, motions that are no step yet included.
+SurgicalCase CaseController::plan_with_motions() const {
+  SurgicalCase plan = this->plan();
+  if (pending_) return plan;  // its segments may be others
+  for (std::size_t s = 0; s < motions_.size(); ++s) plan.segments[s].motion = motions_[s];
+  return plan;
 }
 
 void CaseController::set_active_segment(std::size_t segment) {
@@ -152,17 +316,49 @@ void CaseController::set_active_segment(std::size_t segment) {
 void CaseController::await_rest() {
   refining_.cancel();
   refined_.reset();
-  refinement_ = Refinement::waiting;
+  refinement_ = has_model() ? Refinement::waiting : Refinement::none;
   rest_.start();
 }
 
+void CaseController::rest() {
+  if (!held_) commit_motion();
+  if (!has_model()) return;
+  if (sharp_ || sharpening_.is_running()) {
+    refine();
+  } else {
+    sharpen();
+  }
+}
+
+/// Quadratic elements for the frames of a drag, which cost the same and err several times less.
+void CaseController::sharpen() {
+  const TissueModel& tissue = loaded_->plan.tissue;
+  const bool wanted = tissue.elements == Elements::automatic &&
+                      tissue.load == LoadModel::displacement &&
+                      loaded_->model->problem().tissue.mesh.tets.rows() <= kMostQuadraticTets;
+  if (!wanted) {
+    refine();
+    return;
+  }
+  sharpening_.start([this, loaded = loaded_](Progress& progress) {
+    auto sharp = std::make_shared<const FaceModel>(loaded->model->on_quadratic_elements(progress));
+    return [this, sharp] {
+      sharp_ = sharp;
+      if (refined_) return;
+      response_ = quick_response(*loaded_, sharp_.get(), motions_);
+      emit motion_changed();
+    };
+  });
+  set_refinement(Refinement::running);
+}
+
 void CaseController::refine() {
-  refining_.start(
-      [this, plan = plan_with(*loaded_, motions_), loaded = loaded_](Progress& progress) {
-        auto prediction = std::make_shared<const Prediction>(
-            make_prediction(plan, *loaded->anatomy, *loaded->model, progress));
-        return [this, prediction] { publish(prediction); };
-      });
+  if (!has_model() || rest_.isActive() || refined_) return;
+  refining_.start([this, plan = plan_with_motions(), loaded = loaded_](Progress& progress) {
+    auto prediction = std::make_shared<const Prediction>(
+        make_prediction(plan, *loaded->anatomy, *loaded->model, progress));
+    return [this, prediction] { publish(prediction); };
+  });
   set_refinement(Refinement::running);
 }
 
@@ -176,6 +372,7 @@ void CaseController::publish(std::shared_ptr<const Prediction> prediction) {
 void CaseController::stop_refining() {
   if (refinement_ != Refinement::waiting && refinement_ != Refinement::running) return;
   rest_.stop();
+  sharpening_.cancel();
   refining_.cancel();
   set_refinement(Refinement::stopped);
 }

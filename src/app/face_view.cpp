@@ -1,5 +1,6 @@
 #include "app/face_view.h"
 
+#include <QMouseEvent>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cstring>
@@ -40,7 +41,9 @@ Eigen::Vector3d handle_home(const LoadedCase& loaded, const BoneSegment& segment
   Eigen::Vector3d home = sum / count;
   double skin = front;
   const Points& face = loaded.anatomy->face.mesh.surface.vertices;
-  for (const int v : loaded.model->moving_vertices()) skin = std::min(skin, face(v, 1));
+  if (loaded.model) {
+    for (const int v : loaded.model->moving_vertices()) skin = std::min(skin, face(v, 1));
+  }
   home.y() = skin - 20;
   return home;
 }
@@ -50,6 +53,8 @@ Eigen::Vector3d handle_home(const LoadedCase& loaded, const BoneSegment& segment
 FaceView::FaceView(QWidget* parent) : QWidget(parent), canvas_(new QVTKOpenGLNativeWidget(this)) {
   canvas_->setObjectName("face_canvas");
   canvas_->setFocusPolicy(Qt::StrongFocus);
+  canvas_->setMouseTracking(true);
+  canvas_->installEventFilter(this);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(canvas_);
@@ -98,6 +103,70 @@ void FaceView::set_up_camera_mouse() {
   canvas_->renderWindow()->GetInteractor()->SetInteractorStyle(style);
 }
 
+vtkRenderWindowInteractor* FaceView::interactor() const {
+  return canvas_->renderWindow()->GetInteractor();
+}
+
+/// The grips are there when there is a segment, and when neither a tool nor a film wants the mouse.
+void FaceView::update_handle() {
+  handle_.set_visible(!segments_.empty() && !before_ && tool_ == nullptr);
+}
+
+void FaceView::set_tool(ViewTool* tool) {
+  if (tool == tool_) return;
+  if (tool_ != nullptr) tool_->left();
+  tool_ = tool;
+  tool_drags_ = false;
+  update_handle();
+  render_soon();
+}
+
+ViewPoint FaceView::view_point(QPoint pixel, Qt::KeyboardModifiers modifiers) const {
+  vtkRenderer* renderer = scene_.renderer();
+  const double ratio = canvas_->devicePixelRatioF();
+  const auto world = [&](double depth) {
+    renderer->SetDisplayPoint(ratio * (pixel.x() + 0.5),
+                              ratio * (canvas_->height() - pixel.y() - 0.5), depth);
+    renderer->DisplayToWorld();
+    const double* p = renderer->GetWorldPoint();
+    return Eigen::Vector3d(p[0] / p[3], p[1] / p[3], p[2] / p[3]);
+  };
+  const Eigen::Vector3d eye = world(0);
+  return {pixel, eye, (world(1) - eye).normalized(), modifiers};
+}
+
+bool FaceView::eventFilter(QObject* watched, QEvent* event) {
+  if (tool_ == nullptr || watched != canvas_) return QWidget::eventFilter(watched, event);
+  const auto at = [&] {
+    const auto* mouse = static_cast<QMouseEvent*>(event);
+    return view_point(mouse->pos(), mouse->modifiers());
+  };
+  const auto is_left = [&] { return static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton; };
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+      if (!is_left()) return false;
+      tool_drags_ = tool_->pressed(at());
+      return tool_drags_;
+    case QEvent::MouseMove:
+      if (tool_drags_) {
+        tool_->dragged(at());
+      } else if (static_cast<QMouseEvent*>(event)->buttons() == Qt::NoButton) {
+        tool_->hovered(at());
+      }
+      return tool_drags_;
+    case QEvent::MouseButtonRelease:
+      if (!tool_drags_ || !is_left()) return false;
+      tool_drags_ = false;
+      tool_->released(at());
+      return true;
+    case QEvent::Leave:
+      tool_->left();
+      return false;
+    default:
+      return QWidget::eventFilter(watched, event);
+  }
+}
+
 void FaceView::set_quick(bool quick) {
   scene_.set_coarse_bones(quick);
   scene_.renderer()->SetUseFXAA(!quick);
@@ -123,9 +192,10 @@ void FaceView::show_case(const LoadedCase& loaded) {
   change_outdated_ = true;
   dragging_ = false;  // attaching anew takes the grips out of a hand that holds one
   set_quick(false);
-  handle_.set_home(handle_homes_.front());
+  if (!handle_homes_.empty()) handle_.set_home(handle_homes_.front());
   handle_.attach(canvas_->renderWindow()->GetInteractor(), scene_.renderer());
-  look_from(CameraPreset::three_quarter);
+  update_handle();
+  emit case_shown();
 }
 
 void FaceView::set_active_segment(std::size_t segment) {
@@ -173,7 +243,7 @@ void FaceView::show_points() {
   for (std::size_t s = 0; s < segments_.size(); ++s) {
     scene_.set_bone_pose(segments_[s], before_ ? RigidMotion{} : response_.poses[s]);
   }
-  handle_.set_visible(!before_);
+  update_handle();
   show_caption();
   if (!dragging_) render_soon();
 }
@@ -255,7 +325,7 @@ Picture FaceView::picture() {
   handle_.set_visible(false);
   canvas_->renderWindow()->Render();
   const QImage image = canvas_->grabFramebuffer().convertToFormat(QImage::Format_RGB888);
-  handle_.set_visible(!before_);
+  update_handle();
   render_soon();
   Picture picture{image.width(), image.height(), {}};
   const auto row_bytes = static_cast<std::size_t>(3 * image.width());

@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "app/case_controller.h"
+#include "app/view_tool.h"
 #include "render/face_scene.h"
 #include "render/picture.h"
 #include "render/segment_handle.h"
 
 class QVTKOpenGLNativeWidget;
 class vtkObject;
+class vtkRenderWindowInteractor;
 class vtkRenderer;
 
 namespace gnathion {
@@ -50,9 +52,20 @@ class FaceView : public QWidget {
   /// true: face and segments where they were before any motion, until it is switched off.
   void set_before_visible(bool visible);
 
+  /// The left button goes to `tool` first, until another is set; null: the camera only. The tool
+  /// must outlive the view or be unset. The grips of the segment are hidden meanwhile.
+  void set_tool(ViewTool* tool);
+  ViewTool* tool() const { return tool_; }
+  /// The line of sight through a place of the canvas (logical pixels).
+  ViewPoint view_point(QPoint pixel, Qt::KeyboardModifiers modifiers = {}) const;
+  /// Draws a frame when the event loop comes round: for whoever adds actors to renderer().
+  void render_soon();
+
   /// What is shown, without the grips, in the screen's own pixels.
   Picture picture();
   vtkRenderer* renderer() const { return scene_.renderer(); }
+  vtkRenderWindowInteractor* interactor() const;
+  FaceScene& scene() { return scene_; }
   /// The words in the picture's corner.
   const QString& caption() const { return shown_caption_; }
   /// The widget that receives the mouse.
@@ -62,6 +75,11 @@ class FaceView : public QWidget {
   /// translation: of the segment, mm, LPS, while the mouse moves.
   void segment_dragged(const Eigen::Vector3d& translation);
   void drag_ended();
+  /// After show_case(): whoever adds to the scene sets its parts up anew.
+  void case_shown();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void set_up_camera_mouse();
@@ -70,7 +88,7 @@ class FaceView : public QWidget {
   void show_points();
   void show_caption();
   void show_change();
-  void render_soon();
+  void update_handle();
   double aspect_ratio() const;
 
   QVTKOpenGLNativeWidget* canvas_;
@@ -91,6 +109,8 @@ class FaceView : public QWidget {
   bool colour_map_ = false;
   bool before_ = false;
   bool dragging_ = false;
+  ViewTool* tool_ = nullptr;
+  bool tool_drags_ = false;
 };
 
 }  // namespace gnathion

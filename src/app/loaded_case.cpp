@@ -29,11 +29,39 @@ void require_showable(const Face& face) {
 
 }  // namespace
 
-std::shared_ptr<const LoadedCase> load_case(const fs::path& file, Progress& progress) {
+bool same_but_for_motions(const SurgicalCase& a, const SurgicalCase& b) {
+  if (a.segments.size() != b.segments.size()) return false;
+  SurgicalCase moved = b;
+  for (std::size_t s = 0; s < a.segments.size(); ++s) {
+    moved.segments[s].motion = a.segments[s].motion;
+  }
+  return a == moved;
+}
+
+namespace {
+
+/// What the face follows by, or why it cannot.
+void add_model(LoadedCase& loaded, Progress& progress) {
+  if (loaded.plan.segments.empty()) return;
+  try {
+    loaded.model = std::make_shared<const FaceModel>(*loaded.anatomy, loaded.plan.region,
+                                                     loaded.plan.tissue, progress);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::anatomy && error.kind() != ErrorKind::numeric) throw;
+    loaded.no_model = error;
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<const LoadedCase> load_case(const SurgicalCase& plan, const LoadedCase* known,
+                                            Progress& progress) {
   auto loaded = std::make_shared<LoadedCase>();
-  loaded->file = fs::absolute(file);
-  loaded->plan = read_case_file(loaded->file);
-  const auto anatomy = std::make_shared<const Anatomy>(build_anatomy(loaded->plan, progress));
+  loaded->plan = plan;
+  std::optional<KnownAnatomy> known_anatomy;
+  if (known != nullptr) known_anatomy.emplace(KnownAnatomy{known->plan, *known->anatomy});
+  const auto anatomy = std::make_shared<const Anatomy>(
+      build_anatomy(plan, progress, known_anatomy ? &*known_anatomy : nullptr));
   loaded->anatomy = anatomy;
   // The future's destructor waits for its thread.
   std::future<void> coarse = std::async(std::launch::async, [anatomy, &loaded] {
@@ -43,8 +71,7 @@ std::shared_ptr<const LoadedCase> load_case(const fs::path& file, Progress& prog
     }
   });
   require_showable(anatomy->face);
-  loaded->model = std::make_shared<const FaceModel>(*anatomy, loaded->plan.region,
-                                                    loaded->plan.tissue, progress);
+  add_model(*loaded, progress);
   loaded->landmarks =
       FaceLandmarks(loaded->plan.landmarks, anatomy->face.mesh.surface, anatomy->segments);
   const auto stage = progress.stage("bones for quick frames");
@@ -77,12 +104,6 @@ fs::path cached_demo_case(const fs::path& cache, const fs::path& program, Progre
     if (error.kind() != ErrorKind::output || !made) throw;
   }
   return folder;
-}
-
-SurgicalCase plan_with(const LoadedCase& loaded, std::span<const JawMotion> motions) {
-  SurgicalCase plan = loaded.plan;
-  for (std::size_t s = 0; s < plan.segments.size(); ++s) plan.segments[s].motion = motions[s];
-  return plan;
 }
 
 void export_prediction(const LoadedCase& loaded, const SurgicalCase& plan,

@@ -14,8 +14,11 @@
 #include <cmath>
 
 #include "app/answer_words.h"
+#include "app/bone_panel.h"
+#include "app/compare_panel.h"
 #include "app/face_view.h"
 #include "app/motion_panel.h"
+#include "app/region_panel.h"
 #include "base/error.h"
 #include "render/picture.h"
 #include "ui_main_window.h"
@@ -44,9 +47,11 @@ MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent), ui_(std::make_unique<Ui::MainWindow>()) {
   ui_->setupUi(this);
   panel_ = ui_->motion_panel;
+  add_steps();
   add_tools();
   add_status();
   connect_file_actions();
+  connect_edit_actions();
   connect_view_actions();
   connect_motion();
   connect_refinement();
@@ -60,6 +65,30 @@ MainWindow::~MainWindow() = default;
 
 FaceView& MainWindow::face_view() {
   return *ui_->face_view;
+}
+
+/// The steps of planning, each with its panel; what a panel adds to the view is there while its
+/// step is chosen.
+void MainWindow::add_steps() {
+  bone_panel_ = new BonePanel(controller_, *ui_->face_view, this);
+  region_panel_ = new RegionPanel(controller_, *ui_->face_view, this);
+  compare_panel_ = new ComparePanel(controller_, *ui_->face_view, this);
+  ui_->steps->insertTab(0, bone_panel_, tr("&Bone"));
+  ui_->steps->insertTab(1, region_panel_, tr("&Region"));
+  ui_->steps->addTab(compare_panel_, tr("&Compare"));
+  ui_->steps->setCurrentIndex(ui_->steps->indexOf(ui_->motion_page));
+  connect(ui_->steps, &QTabWidget::currentChanged, this, &MainWindow::show_step);
+}
+
+void MainWindow::show_step() {
+  const QWidget* step = controller_.has_case() ? ui_->steps->currentWidget() : nullptr;
+  // First the one that leaves: the view has one tool at a time.
+  if (step != bone_panel_) bone_panel_->set_active(false);
+  if (step != region_panel_) region_panel_->set_active(false);
+  if (step != compare_panel_) compare_panel_->set_active(false);
+  if (step == bone_panel_) bone_panel_->set_active(true);
+  if (step == region_panel_) region_panel_->set_active(true);
+  if (step == compare_panel_) compare_panel_->set_active(true);
 }
 
 void MainWindow::add_tools() {
@@ -77,7 +106,7 @@ void MainWindow::add_tools() {
   ui_->view_toolbar->addWidget(label);
   ui_->view_toolbar->addWidget(opacity_slider_);
   ui_->view_menu->addSeparator();
-  ui_->view_menu->addAction(ui_->motion_dock->toggleViewAction());
+  ui_->view_menu->addAction(ui_->steps_dock->toggleViewAction());
 }
 
 void MainWindow::add_status() {
@@ -117,6 +146,37 @@ void MainWindow::connect_file_actions() {
   connect(ui_->welcome_demo_button, &QPushButton::clicked, ui_->demo_action, &QAction::trigger);
 }
 
+void MainWindow::connect_edit_actions() {
+  connect(ui_->save_action, &QAction::triggered, this, [this] {
+    if (controller_.file().empty()) {
+      ask_save();
+    } else {
+      controller_.save_case(controller_.file());
+    }
+  });
+  connect(ui_->save_as_action, &QAction::triggered, this, &MainWindow::ask_save);
+  connect(ui_->undo_action, &QAction::triggered, &controller_, &CaseController::undo);
+  connect(ui_->redo_action, &QAction::triggered, &controller_, &CaseController::redo);
+  connect(&controller_, &CaseController::history_changed, this, &MainWindow::show_history);
+  connect(&controller_, &CaseController::saved, this, [this](const QString& file) {
+    ui_->message_bar->show_notice(tr("Saved"), tr("The case is %1").arg(file));
+  });
+}
+
+void MainWindow::show_history() {
+  const PlanHistory& history = controller_.history();
+  ui_->undo_action->setText(history.can_undo()
+                                ? tr("&Undo: %1").arg(QString::fromStdString(history.undo_name()))
+                                : tr("&Undo"));
+  ui_->redo_action->setText(history.can_redo()
+                                ? tr("&Redo: %1").arg(QString::fromStdString(history.redo_name()))
+                                : tr("&Redo"));
+  const QString name = QString::fromStdString(controller_.plan().name);
+  setWindowTitle(tr("%1[*] – Gnathion").arg(name.isEmpty() ? tr("Case without a name") : name));
+  setWindowModified(controller_.is_modified());
+  update_enabled();
+}
+
 void MainWindow::connect_view_actions() {
   FaceView* view = ui_->face_view;
   const std::pair<QAction*, CameraPreset> presets[] = {
@@ -142,7 +202,11 @@ void MainWindow::connect_motion() {
   connect(panel_, &MotionPanel::motion_edited, this,
           [this](const JawMotion& motion) { controller_.set_motion(motion); });
   connect(ui_->face_view, &FaceView::segment_dragged, this, &MainWindow::drag_segment);
-  connect(ui_->face_view, &FaceView::drag_ended, this, &MainWindow::show_motion);
+  connect(ui_->face_view, &FaceView::drag_ended, this, [this] {
+    controller_.hold_motion(false);
+    show_motion();
+  });
+  connect(&controller_, &CaseController::case_changed, this, &MainWindow::show_changed_case);
   connect(&controller_, &CaseController::case_opened, this, &MainWindow::show_case);
   connect(&controller_, &CaseController::motion_changed, this, &MainWindow::show_motion);
   connect(panel_, &MotionPanel::segment_chosen, this, [this](int segment) {
@@ -210,14 +274,20 @@ void MainWindow::update_enabled() {
         ui_->textured_action, ui_->bone_action, ui_->colour_map_action, ui_->before_action}) {
     action->setEnabled(any);
   }
-  ui_->export_action->setEnabled(any && !controller_.is_exporting());
+  ui_->export_action->setEnabled(controller_.has_model() && !controller_.is_exporting());
+  ui_->save_action->setEnabled(any);
+  ui_->save_as_action->setEnabled(any);
+  ui_->undo_action->setEnabled(any && controller_.history().can_undo());
+  ui_->redo_action->setEnabled(any && controller_.history().can_redo());
   ui_->textured_action->setEnabled(any && has_texture(controller_.loaded()));
   const auto moves = [](const JawMotion& motion) { return motion != JawMotion{}; };
   const bool any_motion =
-      any && std::any_of(controller_.motions().begin(), controller_.motions().end(), moves);
+      controller_.has_model() &&
+      std::any_of(controller_.motions().begin(), controller_.motions().end(), moves);
   ui_->play_action->setEnabled(any_motion);
   ui_->play_action->setChecked(player_.is_running());
-  panel_->setEnabled(any);
+  ui_->steps->setEnabled(any);
+  panel_->setEnabled(controller_.has_segments());
   opacity_slider_->setEnabled(any);
   const bool refining = any && controller_.refinement() == Refinement::running;
   for (QWidget* widget : std::initializer_list<QWidget*>{progress_bar_, cancel_button_}) {
@@ -257,6 +327,22 @@ void MainWindow::ask_case() {
   dialog->setFileMode(QFileDialog::ExistingFile);
   dialog->setNameFilters({tr("Case files (*.json)"), tr("All files (*)")});
   connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::open_case);
+  dialog->open();
+}
+
+void MainWindow::ask_save() {
+  auto* dialog = new QFileDialog(this, tr("Save the case"));
+  dialog->setObjectName("save_dialog");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setOption(QFileDialog::DontUseNativeDialog);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setNameFilter(tr("Case files (*.json)"));
+  dialog->setDefaultSuffix("json");
+  const QString file = QFile::decodeName(controller_.file().c_str());
+  dialog->setDirectory(file.isEmpty() ? QDir::homePath() : QFileInfo(file).path());
+  dialog->selectFile(file.isEmpty() ? "case.json" : QFileInfo(file).fileName());
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this](const QString& chosen) { controller_.save_case(path_of(chosen)); });
   dialog->open();
 }
 
@@ -319,6 +405,11 @@ void MainWindow::show_about() {
 }
 
 void MainWindow::show_case() {
+  show_changed_case();
+  ui_->face_view->look_from(CameraPreset::three_quarter);
+}
+
+void MainWindow::show_changed_case() {
   player_.stop();
   const LoadedCase& loaded = controller_.loaded();
   ui_->pages->setCurrentWidget(ui_->view_page);
@@ -329,9 +420,8 @@ void MainWindow::show_case() {
   }
   panel_->set_segments(names);
   panel_->set_turns_enabled(loaded.plan.tissue.load == LoadModel::displacement);
-  const QString name = QString::fromStdString(loaded.plan.name);
-  setWindowTitle(tr("%1 – Gnathion").arg(name.isEmpty() ? tr("Case without a name") : name));
-  update_enabled();
+  show_step();
+  show_history();
 }
 
 void MainWindow::show_motion() {
@@ -339,7 +429,7 @@ void MainWindow::show_motion() {
     refinement_stage_.clear();
     ui_->face_view->mark_change_outdated();
   }
-  panel_->show_motion(controller_.motion());
+  if (controller_.has_segments()) panel_->show_motion(controller_.motion());
   show_response();
   update_enabled();
 }
@@ -352,7 +442,7 @@ void MainWindow::show_active_segment() {
 }
 
 void MainWindow::show_response() {
-  const JawMotion& motion = controller_.motion();
+  const JawMotion motion = controller_.has_segments() ? controller_.motion() : JawMotion{};
   panel_->show_response(controller_.response());
   ui_->face_view->show_response(controller_.response(),
                                 {motion.left_mm, -motion.forward_mm, motion.up_mm});
@@ -407,6 +497,7 @@ void MainWindow::drag_segment(const Eigen::Vector3d& translation) {
   motion.left_mm = to_tenth(translation.x());
   motion.forward_mm = to_tenth(-translation.y());
   motion.up_mm = to_tenth(translation.z());
+  controller_.hold_motion(true);
   controller_.set_motion(motion);
 }
 

@@ -18,8 +18,11 @@ class MainWindow;
 
 namespace gnathion {
 
+class BonePanel;
+class ComparePanel;
 class FaceView;
 class MotionPanel;
+class RegionPanel;
 
 /// The window: it shows the controller's model and turns what the user does into calls of it.
 class MainWindow : public QMainWindow {
@@ -37,7 +40,9 @@ class MainWindow : public QMainWindow {
  private:
   void add_tools();
   void add_status();
+  void add_steps();
   void connect_file_actions();
+  void connect_edit_actions();
   void connect_view_actions();
   void connect_motion();
   void connect_refinement();
@@ -46,12 +51,16 @@ class MainWindow : public QMainWindow {
   void update_enabled();
 
   void ask_case();
+  void ask_save();
   void ask_export();
   void ask_picture();
   void save_picture(const QString& file);
   void show_about();
 
   void show_case();
+  void show_changed_case();
+  void show_history();
+  void show_step();
   void show_motion();
   void show_active_segment();
   void show_response();
@@ -64,6 +73,9 @@ class MainWindow : public QMainWindow {
 
   std::unique_ptr<Ui::MainWindow> ui_;
   MotionPanel* panel_ = nullptr;
+  BonePanel* bone_panel_ = nullptr;
+  RegionPanel* region_panel_ = nullptr;
+  ComparePanel* compare_panel_ = nullptr;
   QSlider* opacity_slider_ = nullptr;
   QLabel* stage_label_ = nullptr;
   QProgressBar* progress_bar_ = nullptr;

@@ -279,7 +279,7 @@ void WindowTest::demoCaseOpensFromItsButton() {
   QTRY_VERIFY_WITH_TIMEOUT(user.model().refined() != nullptr, 2 * patience);
   QVERIFY(user.model().refined()->relative_residual < 1e-8);
   // The second time it is there already.
-  const fs::path file = user.model().loaded().file;
+  const fs::path file = user.model().plan().ct.path.parent_path() / "case.json";
   const auto written = fs::last_write_time(file);
   window.open_demo_case();
   QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 2, patience);

@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
       {"meshes", [&](const Report& report) { report_mesh_peers(report, cases); }},
       {"elements", [&](const Report& report) { report_elements(report); }},
       {"scaling", [&](const Report& report) { report_scaling(report, largest); }},
-      {"reference", report_reference}};
+      {"reference", [&](const Report& report) { report_reference(report, cases); }}};
   try {
     const Report report(folder);
     for (const Part& part : parts) {

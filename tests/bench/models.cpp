@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <map>
@@ -19,9 +20,15 @@
 namespace gnathion::bench {
 namespace {
 
+/// A mesh that a reference is computed on: the length of edges, mm, and of layers, in edges.
+struct Fineness {
+  double edge, layers;
+};
+
 /// A face to predict, and how.
 struct Scene {
-  std::string name, file;  ///< file: of the kept reference; empty: computed in the run
+  std::string name, file;  ///< file: of the kept reference
+  Fineness fine, coarser;  ///< the reference's mesh, and one that tells how sure it is
   Anatomy anatomy;
   RegionChoice region;
   TissueModel tissue;
@@ -34,8 +41,17 @@ std::vector<RigidMotion> forward(double mm) {
   return motions;
 }
 
-Scene patch_scene(const std::string& name, const TriangleMesh& skin) {
-  Scene scene{name + ", chin 5 mm forward", "reference-" + name, patch_anatomy(skin), {}, {}, {}};
+Scene patch_scene(const std::string& name, const TriangleMesh& skin, double layers,
+                  double coarser) {
+  // Edges of 1 mm are shorter than a patch's own: it is not remeshed.
+  Scene scene{name + ", chin 5 mm forward",
+              "reference-" + name,
+              {1, layers},
+              {1, coarser},
+              patch_anatomy(skin),
+              {},
+              {},
+              {}};
   scene.region = whole_patch(scene.anatomy);
   scene.motions = forward(5);
   return scene;
@@ -44,7 +60,14 @@ Scene patch_scene(const std::string& name, const TriangleMesh& skin) {
 Scene case_scene(const std::string& path) {
   const SurgicalCase plan = read_case_file(path);
   Progress progress;
-  Scene scene{plan.name, {}, build_anatomy(plan, progress), plan.region, plan.tissue, {}};
+  Scene scene{plan.name,
+              "reference-" + std::filesystem::path(path).stem().string(),
+              {2, 2},
+              {2, 0},
+              build_anatomy(plan, progress),
+              plan.region,
+              plan.tissue,
+              {}};
   scene.motions = planned_motions(plan, scene.anatomy);
   return scene;
 }
@@ -206,26 +229,11 @@ Reference on_region(const Scene& scene, const FaceModel& model, const Points& fa
   return {moving, (face - scene.anatomy.face.mesh.surface.vertices)(moving, Eigen::all)};
 }
 
-/// On heads: neo-Hookean on linear elements, edges of 2 mm (or the face's own) in layers of half an
-/// edge, and what quadratic elements add to the linear model there.
-Reference head_reference(const Scene& scene) {
+/// Neo-Hookean on quadratic elements, edges of `edge` mm (a patch keeps its own) in layers of
+/// `layers` edges (0: one layer). Minutes.
+Reference reference_of(const Scene& scene, double edge, double layers) {
   TissueModel tissue = scene.tissue;
-  tissue.edge_mm = 2;
-  tissue.layer_edges = 0.5;
-  tissue.elements = Elements::linear;
-  const FaceModel model = model_of(scene, tissue);
-  Progress progress;
-  const Points face = large_strain_face(model, model.solver(), scene.motions);
-  const Points more =
-      model.solve_quadratic(scene.motions, progress) - model.solve(scene.motions).displacements;
-  const Points& rest = scene.anatomy.face.mesh.surface.vertices;
-  return on_region(scene, model, face + model.face_with(more) - rest);
-}
-
-/// On patches: neo-Hookean on quadratic elements, the patch's own edges in such layers. Minutes.
-Reference patch_reference(const Scene& scene, double layers) {
-  TissueModel tissue = scene.tissue;
-  tissue.edge_mm = 1;  // not remeshed
+  tissue.edge_mm = edge;
   tissue.layer_edges = layers;
   tissue.elements = Elements::linear;
   const FaceModel model = model_of(scene, tissue);
@@ -307,8 +315,7 @@ void add_rows(const Scene& scene, const std::vector<Sample>& samples, Table& tab
 }
 
 std::vector<Sample> measured(const Report& report, const Scene& scene) {
-  const Reference reference =
-      scene.file.empty() ? head_reference(scene) : kept_reference(report, scene);
+  const Reference reference = kept_reference(report, scene);
   Trial trial(scene, reference);
   add_paper(scene, trial);
   for (const double edge : {4.0, 3.0, 2.0}) {
@@ -318,10 +325,11 @@ std::vector<Sample> measured(const Report& report, const Scene& scene) {
   return std::move(trial.samples);
 }
 
-std::vector<Scene> patch_scenes() {
-  std::vector<Scene> scenes;
-  scenes.push_back(patch_scene("p1", testing::patch_p1()));
-  scenes.push_back(patch_scene("p2", testing::patch_p2()));
+std::vector<std::function<Scene()>> scenes_of(const std::vector<std::string>& cases) {
+  std::vector<std::function<Scene()>> scenes{
+      [] { return patch_scene("p1", testing::patch_p1(), 0.5, 1); },
+      [] { return patch_scene("p2", testing::patch_p2(), 2, 0); }};
+  for (const std::string& path : cases) scenes.emplace_back([path] { return case_scene(path); });
   return scenes;
 }
 
@@ -331,17 +339,13 @@ void report_models(const Report& report, const std::vector<std::string>& cases) 
   report.heading("Speed against error");
   report.say(
       "First answer: from the chosen region to a face. A pose: a drag frame, or the whole solution "
-      "where each pose is solved anew. Reference on patches: neo-Hookean on quadratic elements in "
-      "layers of half an edge (p2: two edges), kept; on heads: neo-Hookean on linear elements, "
-      "edges of 2 mm, layers of half an edge, with what quadratic elements add to the linear "
-      "model.");
+      "where each pose is solved anew. Reference: neo-Hookean on quadratic elements, kept; its "
+      "mesh "
+      "and how sure it is: reference-sure.csv.");
   Table table({"scene", "model", "mesh", "tets", "first answer, s", "a pose, ms", "mean, mm",
                "95 %, mm", "max, mm", "estimated 95 %, mm"});
   std::vector<Plot> plots;
-  std::vector<std::function<Scene()>> scenes{[] { return patch_scene("p1", testing::patch_p1()); },
-                                             [] { return patch_scene("p2", testing::patch_p2()); }};
-  for (const std::string& path : cases) scenes.emplace_back([path] { return case_scene(path); });
-  for (const auto& make : scenes) {
+  for (const auto& make : scenes_of(cases)) {
     const Scene scene = make();
     std::vector<Sample> samples;
     try {
@@ -358,26 +362,31 @@ void report_models(const Report& report, const std::vector<std::string>& cases) 
   if (!plots.empty()) report.figure("models", "Speed against error", plots, 2);
 }
 
-void report_reference(const Report& report) {
-  report.heading("References of the patches");
-  Table sure({"scene", "tissue", "against", "mean, mm", "95 %, mm", "max, mm", "seconds"});
-  for (const Scene& scene : patch_scenes()) {
-    const bool p1 = scene.file == "reference-p1";
-    const double fine = p1 ? 0.5 : 2, coarse = p1 ? 1 : 0;
-    Reference reference, coarser;
-    const double time = seconds([&] { reference = patch_reference(scene, fine); });
-    coarser = patch_reference(scene, coarse);
-    const DistanceStatistics difference =
-        distance_statistics((reference.displacements - coarser.displacements).rowwise().norm());
+void report_reference(const Report& report, const std::vector<std::string>& cases) {
+  report.heading("References");
+  const auto words = [](const Fineness& mesh) {
+    return (mesh.edge == 1 ? std::string("own edges") : "edges " + number(mesh.edge, 0) + " mm") +
+           ", " +
+           (mesh.layers == 0 ? std::string("one layer")
+                             : "layers of " + number(mesh.layers, 1) + " edges");
+  };
+  Table sure({"scene", "mesh", "against", "mean, mm", "95 %, mm", "max, mm", "seconds"});
+  for (const auto& make : scenes_of(cases)) {
+    const Scene scene = make();
+    Reference reference;
+    const double time =
+        seconds([&] { reference = reference_of(scene, scene.fine.edge, scene.fine.layers); });
     Table table({"vertex", "x, mm", "y, mm", "z, mm"});
     for (std::size_t i = 0; i < reference.vertices.size(); ++i) {
       const auto u = reference.displacements.row(static_cast<Eigen::Index>(i));
       table.add({static_cast<double>(reference.vertices[i]), u[0], u[1], u[2]});
     }
     write_text_file(report.folder() / (scene.file + ".csv"), table.csv());
-    sure.add({scene.name, "layers of " + number(fine, 1) + " edges",
-              coarse == 0 ? "one layer" : "layers of " + number(coarse, 1) + " edges",
-              difference.mean, difference.p95, difference.max, time});
+    const Reference coarser = reference_of(scene, scene.coarser.edge, scene.coarser.layers);
+    const DistanceStatistics difference =
+        distance_statistics((reference.displacements - coarser.displacements).rowwise().norm());
+    sure.add({scene.name, words(scene.fine), words(scene.coarser), difference.mean, difference.p95,
+              difference.max, time});
   }
   report.table("reference-sure", sure);
 }

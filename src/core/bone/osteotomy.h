@@ -15,6 +15,8 @@ struct BoxCut {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();             ///< mm, LPS
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();           ///< columns: orthonormal, LPS
   Eigen::Vector3d half_extents = Eigen::Vector3d::Constant(1);  ///< mm along the axes, positive
+
+  bool operator==(const BoxCut&) const = default;
 };
 
 /// The axis-parallel box between two corners, mm, LPS.
@@ -29,6 +31,8 @@ struct PlateCut {
   double half_height = 50;                              ///< mm along normal × in_plane
   double kerf = 0.5;                                    ///< mm, the whole width of the saw cut
   Eigen::Vector3d seed = Eigen::Vector3d::Zero();       ///< mm, LPS, in or near the piece to take
+
+  bool operator==(const PlateCut&) const = default;
 };
 
 using BoundedCut = std::variant<BoxCut, PlateCut>;

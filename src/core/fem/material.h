@@ -17,6 +17,8 @@ struct ElasticMaterial {
   double shear_modulus() const { return young_MPa / (2 * (1 + poisson)); }
   /// Bulk modulus κ = λ + 2μ/3, MPa.
   double bulk_modulus() const { return lame_lambda() + shear_modulus() * 2 / 3; }
+
+  bool operator==(const ElasticMaterial&) const = default;
 };
 
 /// Throws Error(case_file) with the key's name unless E > 0 and 0 <= ν < 0.5, both finite.

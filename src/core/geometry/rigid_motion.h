@@ -12,6 +12,8 @@ struct RigidMotion {
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
 
   Eigen::Vector3d operator()(const Eigen::Vector3d& x) const { return rotation * x + translation; }
+
+  bool operator==(const RigidMotion&) const = default;
 };
 
 /// x' = scale · rotation · x + translation: from a photograph's own frame and unit to LPS mm.
@@ -27,6 +29,8 @@ struct Similarity {
   Eigen::Vector3d displacement_to_source(const Eigen::Vector3d& u) const {
     return rotation.transpose() * u / scale;
   }
+
+  bool operator==(const Similarity&) const = default;
 };
 
 /// Every row moved. points: n×3, mm, LPS.

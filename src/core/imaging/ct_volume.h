@@ -57,6 +57,8 @@ class CtVolume {
 struct LpsBox {
   Eigen::Vector3d min;
   Eigen::Vector3d max;
+
+  bool operator==(const LpsBox&) const = default;
 };
 
 /// The smallest grid of whole voxels that holds the box, with its own lps_from_ijk: no value and

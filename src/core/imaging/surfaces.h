@@ -13,6 +13,8 @@ struct BoneSurfaceOptions {
   double minimum_component_volume = 1000;  ///< mm³; smaller pieces are specks and are dropped
   bool remove_support = true;              ///< drop what lies outside the head: head rest, couch
   std::optional<LpsBox> crop;              ///< look only here
+
+  bool operator==(const BoneSurfaceOptions&) const = default;
 };
 
 /// The bone's surface by flying edges at full resolution: vertices in LPS mm, closed (also where
@@ -30,6 +32,8 @@ struct SkinSurfaceOptions {
   double opening_radius_mm = 6;  ///< parts thinner than twice this may be support
   double closing_radius_mm = 5;  ///< openings narrower than twice this (nostrils) are closed
   std::optional<LpsBox> crop;    ///< look only here
+
+  bool operator==(const SkinSurfaceOptions&) const = default;
 };
 
 /// The head's outer skin: one closed, outward 2-manifold component in LPS mm with well-shaped

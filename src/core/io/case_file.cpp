@@ -388,6 +388,14 @@ std::string write_vertices(const std::vector<int>& vertices, const fs::path& cas
 
 }  // namespace
 
+PlanHistory read_case_history(const fs::path& path) {
+  return {"Open", read_case_file(path)};
+}
+
+void write_case_history(const PlanHistory& history, const fs::path& path) {
+  write_case_file(history.plan(), path);
+}
+
 void write_case_file(const SurgicalCase& plan, const fs::path& path) {
   json root{{"gnathion_case", kVersion}, {"name", plan.name}};
   root["ct"] = {{"path", path_json(plan.ct.path, path)},

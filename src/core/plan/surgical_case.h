@@ -16,16 +16,22 @@ namespace gnathion {
 struct CtSource {
   std::filesystem::path path;             ///< folder of a DICOM series, or a volume file
   std::optional<std::string> series_uid;  ///< which series of the folder
+
+  bool operator==(const CtSource&) const = default;
 };
 
 struct PhotographSource {
   std::filesystem::path obj;
   Similarity lps_from_photograph;  ///< from the file's frame and unit to LPS mm
+
+  bool operator==(const PhotographSource&) const = default;
 };
 
 struct RegionChoice {
   double reach_mm = 35;       ///< of the suggested region: distance from the segment
   std::vector<int> vertices;  ///< of the face, from 0; not empty: these instead
+
+  bool operator==(const RegionChoice&) const = default;
 };
 
 enum class Generator { robust, paper };
@@ -72,6 +78,8 @@ struct TissueModel {
   Elements elements = Elements::automatic;
   Strain strain = Strain::automatic;
   double tolerance_mm = 0.5;  ///< of the face, 95 % of it, for what is automatic
+
+  bool operator==(const TissueModel&) const = default;
 };
 
 /// A piece of bone that is cut off and moved.
@@ -80,6 +88,8 @@ struct PlannedSegment {
   BoundedCut cut;                ///< of what the segments before it have left
   JawMotion motion;
   std::optional<Eigen::Vector3d> pivot;  ///< LPS mm; none: the segment's centre of volume
+
+  bool operator==(const PlannedSegment&) const = default;
 };
 
 /// Everything that a prediction is made from: the content of a case file. Paths are absolute or
@@ -89,11 +99,13 @@ struct SurgicalCase {
   CtSource ct;
   BoneSurfaceOptions bone;
   SkinSurfaceOptions skin;
-  std::vector<PlannedSegment> segments;        ///< at least one
+  std::vector<PlannedSegment> segments;        ///< none yet: nothing moves
   std::optional<PhotographSource> photograph;  ///< none: the CT's skin is the face
   RegionChoice region;
   TissueModel tissue;
   std::map<std::string, Eigen::Vector3d> landmarks;  ///< on the face, LPS mm
+
+  bool operator==(const SurgicalCase&) const = default;
 };
 
 }  // namespace gnathion

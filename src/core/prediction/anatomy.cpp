@@ -82,7 +82,7 @@ void cut_segments(const std::vector<PlannedSegment>& planned, Anatomy& anatomy,
 
 }  // namespace
 
-Anatomy build_anatomy(const SurgicalCase& plan, Progress& progress) {
+Anatomy build_anatomy(const SurgicalCase& plan, Progress& progress, const KnownAnatomy*) {
   // The photograph first: it is read in a moment, and a mistake in it should not cost a CT.
   std::optional<Face> face;
   if (plan.photograph) {

@@ -49,8 +49,16 @@ std::vector<RigidMotion> planned_motions(const SurgicalCase& plan, const Anatomy
 /// than 60 mm or larger than 1500 mm: then its unit is another.
 Face photograph_face(const PhotographSource& source);
 
-/// Reads the CT and the photograph of a case, extracts the surfaces and cuts the segment.
+/// An anatomy that stands, and the plan that it was made from.
+struct KnownAnatomy {
+  const SurgicalCase& plan;
+  const Anatomy& anatomy;
+};
+
+/// Reads the CT and the photograph of a case, extracts the surfaces and cuts the segments. What the
+/// plan has in common with the known one's is taken from there: a new cut reads no CT.
 /// Throws Error of kind input or anatomy as the steps do, and Error(cancelled).
-Anatomy build_anatomy(const SurgicalCase& plan, Progress& progress);
+Anatomy build_anatomy(const SurgicalCase& plan, Progress& progress,
+                      const KnownAnatomy* known = nullptr);
 
 }  // namespace gnathion

@@ -2,11 +2,13 @@
 
 #include <QCoreApplication>
 #include <QFile>
+#include <QStandardPaths>
 #include <algorithm>
 #include <utility>
 
 #include "app/motion_words.h"
 #include "io/case_file.h"
+#include "io/own_inputs.h"
 
 namespace gnathion {
 namespace {
@@ -49,6 +51,19 @@ Response quick_response(const LoadedCase& loaded, const FaceModel* model,
   return response;
 }
 
+/// A name for the folder of a case's own images, not taken yet: "chin.gnathion.json" gives
+/// "chin_images".
+fs::path new_image_folder(const fs::path& file) {
+  fs::path name = file.filename();
+  while (name.has_extension()) name = name.stem();
+  fs::path folder = file.parent_path() / (name.string() + "_images");
+  std::error_code ignored;
+  for (int i = 2; fs::exists(fs::symlink_status(folder, ignored)); ++i) {
+    folder = file.parent_path() / (name.string() + "_images_" + std::to_string(i));
+  }
+  return folder;
+}
+
 }  // namespace
 
 /// A case as it was read and computed.
@@ -59,7 +74,11 @@ struct CaseController::Opened {
   std::shared_ptr<const LoadedCase> loaded = {};
 };
 
-CaseController::CaseController(QObject* parent) : QObject(parent) {
+CaseController::CaseController(QObject* parent)
+    : QObject(parent),
+      demo_cache_(
+          QFile::encodeName(QStandardPaths::writableLocation(QStandardPaths::CacheLocation))
+              .toStdString()) {
   rest_.setSingleShot(true);
   rest_.setInterval(200);
   connect(&rest_, &QTimer::timeout, this, &CaseController::rest);
@@ -102,6 +121,7 @@ void CaseController::open_case(const fs::path& file) {
 }
 
 void CaseController::open_demo_case(const fs::path& cache) {
+  demo_cache_ = cache;
   const fs::path program = QFile::encodeName(QCoreApplication::applicationFilePath()).toStdString();
   open(tr("Opening the demo case"), [cache, program](Progress& progress) {
     const fs::path file = cached_demo_case(cache, program, progress) / "case.json";
@@ -177,7 +197,9 @@ bool CaseController::is_modified() const {
 void CaseController::save_case(const fs::path& file) {
   commit_motion();
   try {
-    write_case_history(history(), file);
+    const PlanHistory saved = history_to_save(fs::absolute(file));
+    write_case_history(saved, file);
+    if (!pending_) take_names(saved);
   } catch (const Error& error) {
     emit failed(failure_of(error));
     return;
@@ -354,9 +376,10 @@ void CaseController::sharpen() {
 
 void CaseController::refine() {
   if (!has_model() || rest_.isActive() || refined_) return;
-  refining_.start([this, plan = plan_with_motions(), loaded = loaded_](Progress& progress) {
+  refining_.start([this, plan = plan_with_motions(), loaded = loaded_,
+                   quick = sharp_ ? sharp_ : loaded_->model](Progress& progress) {
     auto prediction = std::make_shared<const Prediction>(
-        make_prediction(plan, *loaded->anatomy, *loaded->model, progress));
+        make_prediction(plan, *loaded->anatomy, *quick, progress));
     return [this, prediction] { publish(prediction); };
   });
   set_refinement(Refinement::running);

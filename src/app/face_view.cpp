@@ -7,6 +7,7 @@
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkNew.h>
@@ -168,7 +169,7 @@ bool FaceView::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void FaceView::set_quick(bool quick) {
-  scene_.set_coarse_bones(quick);
+  scene_.set_coarse(quick);
   scene_.renderer()->SetUseFXAA(!quick);
 }
 
@@ -271,7 +272,7 @@ void FaceView::mark_change_outdated() {
 void FaceView::show_change() {
   if (colour_map_ && !before_ && !is_film() && change_.size() == rest_.rows() &&
       scene_.has_face()) {
-    scene_.show_colour_map(change_, 0, tr("mm").toStdString());
+    scene_.show_colour_map(change_, change_range_, tr("mm").toStdString());
   } else {
     scene_.hide_colour_map();
   }
@@ -280,7 +281,12 @@ void FaceView::show_change() {
 }
 
 double FaceView::aspect_ratio() const {
-  return static_cast<double>(std::max(canvas_->width(), 1)) / std::max(canvas_->height(), 1);
+  // A comparison may leave the scene a part of the picture.
+  const double* part = scene_.renderer()->GetViewport();
+  const double whole = scene_.renderer()->GetActiveCamera()->GetWindowCenter()[0] == 0
+                           ? part[2] - part[0]
+                           : 1;
+  return whole * std::max(canvas_->width(), 1) / std::max(canvas_->height(), 1);
 }
 
 void FaceView::look_from(CameraPreset view) {
@@ -305,7 +311,14 @@ void FaceView::set_bone_visible(bool visible) {
 }
 
 void FaceView::set_colour_map_visible(bool visible) {
+  if (visible == colour_map_) return;
   colour_map_ = visible;
+  show_change();
+  emit colour_map_switched(visible);
+}
+
+void FaceView::set_change_range(double half_range_mm) {
+  change_range_ = half_range_mm;
   show_change();
 }
 

@@ -24,8 +24,9 @@ double area_of(const TriangleMesh& surface) {
   return sum;
 }
 
-/// For each vertex the one that stands for its cell: the first vertex in it.
-std::vector<int> cell_vertices(const Points& vertices, double cell) {
+/// For each vertex the one that stands for its cell: the first vertex in it. What is kept stands
+/// for itself.
+std::vector<int> cell_vertices(const Points& vertices, double cell, const std::vector<bool>& kept) {
   const Eigen::RowVector3d low = vertices.colwise().minCoeff();
   const Eigen::RowVector3d size = vertices.colwise().maxCoeff() - low;
   const auto across = static_cast<std::int64_t>(size.maxCoeff() / cell) + 1;
@@ -33,6 +34,10 @@ std::vector<int> cell_vertices(const Points& vertices, double cell) {
   first.reserve(static_cast<std::size_t>(vertices.rows()) / 4);
   std::vector<int> stands_for(static_cast<std::size_t>(vertices.rows()));
   for (Eigen::Index v = 0; v < vertices.rows(); ++v) {
+    if (!kept.empty() && kept[static_cast<std::size_t>(v)]) {
+      stands_for[static_cast<std::size_t>(v)] = static_cast<int>(v);
+      continue;
+    }
     std::int64_t key = 0;
     for (int k = 0; k < 3; ++k) {
       key = key * across + static_cast<std::int64_t>((vertices(v, k) - low(k)) / cell);
@@ -69,14 +74,16 @@ Triangles between_cells(const Triangles& triangles, const std::vector<int>& stan
 
 }  // namespace
 
-Triangles coarse_triangles(const TriangleMesh& surface, int wanted) {
+Triangles coarse_triangles(const TriangleMesh& surface, int wanted, const std::vector<bool>& kept) {
   if (surface.triangles.rows() <= wanted) return surface.triangles;
   // A flat square grid of this width would give `wanted` triangles. Where cells are cut askew there
-  // are more of them, so it is widened until they are few enough.
+  // are more of them, so it is widened until they are few enough; what is kept adds its own.
+  const auto most = wanted + 2 * std::count(kept.begin(), kept.end(), true);
   double cell = std::sqrt(2 * area_of(surface) / wanted);
   for (;; cell *= 1.15) {
-    Triangles coarse = between_cells(surface.triangles, cell_vertices(surface.vertices, cell));
-    if (coarse.rows() <= wanted) return coarse;
+    Triangles coarse =
+        between_cells(surface.triangles, cell_vertices(surface.vertices, cell, kept));
+    if (coarse.rows() <= most) return coarse;
   }
 }
 

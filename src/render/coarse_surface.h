@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "geometry/mesh_types.h"
 
 namespace gnathion {
@@ -9,7 +11,10 @@ namespace gnathion {
 /// own triangles when they are no more than that. Vertices are drawn together by the cells of a
 /// grid (Rossignac and Borrel 1993, "Multi-resolution 3D approximations for rendering complex
 /// scenes"): a tenth of a second on half a million triangles. Pure, for any thread.
+/// The vertices flagged in `kept` (one a vertex; empty: none) stay as they are, so that surfaces
+/// that meet along them leave no crack; they may make the triangles more than wanted.
 /// \pre wanted > 0.
-Triangles coarse_triangles(const TriangleMesh& surface, int wanted = 60000);
+Triangles coarse_triangles(const TriangleMesh& surface, int wanted = 60000,
+                           const std::vector<bool>& kept = {});
 
 }  // namespace gnathion

@@ -128,21 +128,82 @@ void set_colour(vtkProperty* property, const Eigen::Vector3d& rgb) {
   property->SetSpecularColor(1, 1, 1);
 }
 
-std::unique_ptr<ShownSurface> show_part(const TexturedMesh& face, SurfacePart part) {
-  auto shown = std::make_unique<ShownSurface>(std::move(part.face_vertex), part.triangles);
-  if (part.material >= 0) {
-    const Material& material = face.materials[static_cast<size_t>(part.material)];
-    shown->plain_colour = material.texture.empty() ? material.diffuse : skin;
-    if (!part.uv.empty()) {
-      shown->texture = load_texture(material.texture);
-      auto uv = float_array("texture", 2, part.uv.size());
-      for (size_t i = 0; i < part.uv.size(); ++i) {
-        uv->SetTuple2(static_cast<vtkIdType>(i), part.uv[i].x(), part.uv[i].y());
-      }
-      shown->data->GetPointData()->SetTCoords(uv);
-    }
+void add_texture(const SurfacePart& part, vtkTexture* texture, const Eigen::Vector3d& plain_colour,
+                 ShownSurface& shown) {
+  shown.plain_colour = plain_colour;
+  if (texture == nullptr) return;
+  shown.texture = texture;
+  auto uv = float_array("texture", 2, part.uv.size());
+  for (size_t i = 0; i < part.uv.size(); ++i) {
+    uv->SetTuple2(static_cast<vtkIdType>(i), part.uv[i].x(), part.uv[i].y());
   }
+  shown.data->GetPointData()->SetTCoords(uv);
+}
+
+std::unique_ptr<ShownSurface> show_part(const TexturedMesh& face, const SurfacePart& part) {
+  auto shown = std::make_unique<ShownSurface>(part.face_vertex, part.triangles);
+  if (part.material < 0) return shown;
+  const Material& material = face.materials[static_cast<size_t>(part.material)];
+  const bool textured = !material.texture.empty();
+  add_texture(part, !part.uv.empty() ? load_texture(material.texture) : nullptr,
+              textured ? skin : material.diffuse, *shown);
   return shown;
+}
+
+/// The face with fewer triangles: its vertices that they use, and what is drawn.
+struct CoarseFace {
+  std::vector<int> vertex;  ///< rows of the face's vertices
+  TriangleMesh mesh;        ///< of these, all parts in one, for normals without seams
+  std::vector<std::unique_ptr<ShownSurface>> parts;  ///< rows of `vertex`
+
+  void move_to(const Points& face) {
+    for (std::size_t i = 0; i < vertex.size(); ++i) {
+      mesh.vertices.row(static_cast<Eigen::Index>(i)) = face.row(vertex[i]);
+    }
+    const Points normals = vertex_normals(mesh);
+    for (const auto& part : parts) part->move_to(mesh.vertices, normals);
+  }
+};
+
+/// A face that a software renderer draws in less than a frame of a drag needs no coarse one.
+constexpr int quick_triangles = 24000;
+
+/// Empty for a face that is drawn whole. `parts`: of the face, all of them shown in `fine`.
+CoarseFace coarse_face(const TexturedMesh& face, const std::vector<SurfacePart>& parts,
+                       const std::vector<std::unique_ptr<ShownSurface>>& fine) {
+  CoarseFace coarse;
+  const Eigen::Index whole = face.surface.triangles.rows();
+  if (whole <= quick_triangles) return coarse;
+  std::vector<int> place(static_cast<size_t>(face.surface.vertices.rows()), -1);
+  std::vector<Eigen::RowVector3i> triangles;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const auto share = static_cast<int>(parts[p].triangles.rows() * quick_triangles / whole);
+    SurfacePart part = coarse_part(parts[p], face.surface.vertices, std::max(share, 1));
+    for (int& v : part.face_vertex) {
+      int& known = place[static_cast<size_t>(v)];
+      if (known < 0) {
+        known = static_cast<int>(coarse.vertex.size());
+        coarse.vertex.push_back(v);
+      }
+      v = known;
+    }
+    for (Eigen::Index t = 0; t < part.triangles.rows(); ++t) {
+      Eigen::RowVector3i corners;
+      for (int c = 0; c < 3; ++c) {
+        corners[c] = part.face_vertex[static_cast<size_t>(part.triangles(t, c))];
+      }
+      triangles.push_back(corners);
+    }
+    coarse.parts.push_back(
+        std::make_unique<ShownSurface>(std::move(part.face_vertex), part.triangles));
+    add_texture(part, fine[p]->texture, fine[p]->plain_colour, *coarse.parts.back());
+  }
+  coarse.mesh.vertices.resize(static_cast<Eigen::Index>(coarse.vertex.size()), 3);
+  coarse.mesh.triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    coarse.mesh.triangles.row(static_cast<Eigen::Index>(t)) = triangles[t];
+  }
+  return coarse;
 }
 
 /// Right, up and away-from-viewer of a picture, as rows, in LPS.
@@ -249,6 +310,22 @@ std::string name_of(CameraPreset view) {
   return "view";
 }
 
+namespace {
+
+/// values: mm, of the vertices that the surface's own were copied from.
+void colour(ShownSurface& shown, const Eigen::VectorXd& values, vtkLookupTable* table) {
+  auto scalars = float_array("mm", 1, shown.vertex.size());
+  for (size_t i = 0; i < shown.vertex.size(); ++i) {
+    scalars->SetValue(static_cast<vtkIdType>(i), static_cast<float>(values(shown.vertex[i])));
+  }
+  shown.data->GetPointData()->SetScalars(scalars);
+  shown.mapper->SetLookupTable(table);
+  shown.mapper->UseLookupTableScalarRangeOn();
+  shown.mapper->InterpolateScalarsBeforeMappingOn();
+}
+
+}  // namespace
+
 struct FaceScene::Impl {
   struct Bone {
     TriangleMesh mesh;
@@ -273,12 +350,14 @@ struct FaceScene::Impl {
 
   TriangleMesh face;
   std::vector<std::unique_ptr<ShownSurface>> parts;
+  CoarseFace coarse_face;
+  bool parts_outdated = false;  ///< the fine ones: the points have moved while coarse was drawn
   std::map<std::string, Bone> bones;
   bool face_visible = true;
   bool face_textured = true;
   bool colour_map = false;
   double face_opacity = 1;
-  bool coarse_bones = false;
+  bool coarse = false;
 
   Impl() {
     renderer->SetBackground(background_low.x(), background_low.y(), background_low.z());
@@ -341,8 +420,36 @@ struct FaceScene::Impl {
     right_letter->SetInput(side_letters(right).c_str());
   }
 
+  bool draws_coarse_face() const { return coarse && !coarse_face.parts.empty(); }
+
+  std::vector<ShownSurface*> all_parts() const {
+    std::vector<ShownSurface*> all;
+    for (const auto& part : parts) all.push_back(part.get());
+    for (const auto& part : coarse_face.parts) all.push_back(part.get());
+    return all;
+  }
+
+  /// What is drawn goes where the face is; what is not waits until it is drawn.
+  void move_face() {
+    parts_outdated = draws_coarse_face();
+    if (parts_outdated) {
+      coarse_face.move_to(face.vertices);
+      return;
+    }
+    const Points normals = vertex_normals(face);
+    for (const auto& part : parts) part->move_to(face.vertices, normals);
+  }
+
+  void show_fine_or_coarse_face() {
+    const bool shown = face_visible && face_opacity > 0;
+    for (const auto& part : parts) part->actor->SetVisibility(shown && !draws_coarse_face());
+    for (const auto& part : coarse_face.parts) {
+      part->actor->SetVisibility(shown && draws_coarse_face());
+    }
+  }
+
   void refresh_face_look() {
-    for (const auto& part : parts) {
+    for (ShownSurface* part : all_parts()) {
       vtkProperty* property = part->actor->GetProperty();
       const bool photograph = face_textured && !colour_map && part->texture;
       part->actor->SetTexture(photograph ? part->texture.Get() : nullptr);
@@ -356,14 +463,15 @@ struct FaceScene::Impl {
       }
       property->SetOpacity(face_opacity);
       property->SetBackfaceCulling(face_opacity < 1);
-      part->actor->SetVisibility(face_visible && face_opacity > 0);
     }
+    show_fine_or_coarse_face();
     bar->SetVisibility(colour_map && face_visible);
   }
 
   void clear_face() {
-    for (const auto& part : parts) renderer->RemoveActor(part->actor);
+    for (const ShownSurface* part : all_parts()) renderer->RemoveActor(part->actor);
     parts.clear();
+    coarse_face = {};
     face = {};
     colour_map = false;
     bar->VisibilityOff();
@@ -378,7 +486,7 @@ struct FaceScene::Impl {
   }
 
   void apply_visibility(Bone& bone) {
-    const bool show_coarse = coarse_bones && bone.coarse;
+    const bool show_coarse = coarse && bone.coarse;
     bone.fine->actor->SetVisibility(bone.visible && !show_coarse);
     if (bone.coarse) bone.coarse->actor->SetVisibility(bone.visible && show_coarse);
   }
@@ -422,14 +530,19 @@ void FaceScene::set_face(const TexturedMesh& face, const std::string& name) {
   check_face(face, name);
   const Points normals = vertex_normals(face.surface);
   std::vector<std::unique_ptr<ShownSurface>> parts;
-  for (SurfacePart& part : split_by_corner(face)) {
-    parts.push_back(show_part(face, std::move(part)));
+  const std::vector<SurfacePart> split = split_by_corner(face);
+  for (const SurfacePart& part : split) {
+    parts.push_back(show_part(face, part));
     parts.back()->move_to(face.surface.vertices, normals);
   }
+  CoarseFace coarse = coarse_face(face, split, parts);
+  coarse.move_to(face.surface.vertices);
   impl_->clear_face();
   impl_->face = face.surface;
   impl_->parts = std::move(parts);
-  for (const auto& part : impl_->parts) impl_->renderer->AddActor(part->actor);
+  impl_->coarse_face = std::move(coarse);
+  impl_->parts_outdated = false;
+  for (const ShownSurface* part : impl_->all_parts()) impl_->renderer->AddActor(part->actor);
   impl_->refresh_face_look();
 }
 
@@ -445,8 +558,7 @@ void FaceScene::set_face_points(const Points& points) {
                 "check the material values and the segment's motion, and predict again");
   }
   impl_->face.vertices = points;
-  const Points normals = vertex_normals(impl_->face);
-  for (const auto& part : impl_->parts) part->move_to(points, normals);
+  impl_->move_face();
 }
 
 bool FaceScene::has_face() const {
@@ -472,6 +584,10 @@ void FaceScene::set_face_textured(bool textured) {
   impl_->refresh_face_look();
 }
 
+bool FaceScene::is_face_textured() const {
+  return impl_->face_textured;
+}
+
 void FaceScene::show_colour_map(const Eigen::VectorXd& values, double half_range,
                                 const std::string& title) {
   if (values.size() != impl_->face.vertices.rows() || impl_->parts.empty()) {
@@ -482,16 +598,9 @@ void FaceScene::show_colour_map(const Eigen::VectorXd& values, double half_range
   }
   const double limit = half_range > 0 ? half_range : round_half_range(values);
   const auto table = diverging_table(limit);
-  for (const auto& part : impl_->parts) {
-    auto scalars = float_array("mm", 1, part->vertex.size());
-    for (size_t i = 0; i < part->vertex.size(); ++i) {
-      scalars->SetValue(static_cast<vtkIdType>(i), static_cast<float>(values(part->vertex[i])));
-    }
-    part->data->GetPointData()->SetScalars(scalars);
-    part->mapper->SetLookupTable(table);
-    part->mapper->UseLookupTableScalarRangeOn();
-    part->mapper->InterpolateScalarsBeforeMappingOn();
-  }
+  for (const auto& part : impl_->parts) colour(*part, values, table);
+  const Eigen::VectorXd on_coarse = values(impl_->coarse_face.vertex);
+  for (const auto& part : impl_->coarse_face.parts) colour(*part, on_coarse, table);
   impl_->bar->SetLookupTable(table);
   impl_->bar->SetTitle(title.c_str());
   impl_->bar->SetLabelFormat(limit < 1 ? "%.2f" : "%.1f");
@@ -534,8 +643,17 @@ void FaceScene::set_bone_visible(const std::string& name, bool visible) {
   }
 }
 
-void FaceScene::set_coarse_bones(bool coarse) {
-  impl_->coarse_bones = coarse;
+bool FaceScene::is_bone_visible(const std::string& name) const {
+  const Impl::Bone* bone = impl_->find_bone(name);
+  return bone != nullptr && bone->visible;
+}
+
+void FaceScene::set_coarse(bool coarse) {
+  if (coarse == impl_->coarse) return;
+  impl_->coarse = coarse;
+  const bool outdated = coarse ? impl_->draws_coarse_face() : impl_->parts_outdated;
+  if (outdated) impl_->move_face();
+  impl_->show_fine_or_coarse_face();
   for (auto& [name, bone] : impl_->bones) impl_->apply_visibility(bone);
 }
 

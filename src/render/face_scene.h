@@ -64,6 +64,7 @@ class FaceScene {
   void set_face_opacity(double opacity);
   /// false: plain skin colour instead of the photograph, which shows the shape better.
   void set_face_textured(bool textured);
+  bool is_face_textured() const;
 
   /// Colours the face by one signed number a vertex (n, mm; cool = negative = hollow, hot =
   /// positive = bulge; not a number = not measured = grey), symmetric about 0, with a scalar bar.
@@ -75,16 +76,17 @@ class FaceScene {
   void hide_colour_map();
 
   /// Adds or replaces the bone called `name`, at rest. coarse: fewer triangles over the same
-  /// vertices for set_coarse_bones(), as coarse_triangles() in render/coarse_surface.h makes them;
+  /// vertices for set_coarse(), as coarse_triangles() in render/coarse_surface.h makes them;
   /// none: the bone is always drawn whole. Throws Error(input) as check_surface().
   void set_bone(const std::string& name, const TriangleMesh& bone, const BoneLook& look,
                 const Triangles& coarse = {});
   /// Names that the scene does not have are ignored, so that a view can be set before a case is.
   void set_bone_pose(const std::string& name, const RigidMotion& pose);
   void set_bone_visible(const std::string& name, bool visible);
-  /// true: bones that have coarse triangles are drawn with those. Switch it on while a segment is
-  /// dragged or the camera turns, off at rest.
-  void set_coarse_bones(bool coarse);
+  bool is_bone_visible(const std::string& name) const;
+  /// true: bones that have coarse triangles, and a face of many, are drawn with fewer. Switch it on
+  /// while a segment is dragged or the camera turns, off at rest.
+  void set_coarse(bool coarse);
   void remove_bone(const std::string& name);
   void remove_bones();
   std::vector<std::string> bone_names() const;

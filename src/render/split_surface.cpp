@@ -1,10 +1,13 @@
 #include "render/split_surface.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <map>
 #include <tuple>
 #include <unordered_map>
 
 #include "base/error.h"
+#include "render/coarse_surface.h"
 
 namespace gnathion {
 namespace {
@@ -62,6 +65,48 @@ std::vector<SurfacePart> split_by_corner(const TexturedMesh& face) {
     parts.push_back(make_part(face, key.first, key.second, triangles));
   }
   return parts;
+}
+
+namespace {
+
+/// How many triangles meet at an edge, by its vertices, the smaller in the upper half of the key. A
+/// photograph need not be a manifold.
+std::unordered_map<std::uint64_t, int> triangles_at_edges(const Triangles& triangles) {
+  std::unordered_map<std::uint64_t, int> count;
+  count.reserve(static_cast<std::size_t>(triangles.rows()) * 2);
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t) {
+    for (int c = 0; c < 3; ++c) {
+      const auto [low, high] = std::minmax(triangles(t, c), triangles(t, (c + 1) % 3));
+      ++count[static_cast<std::uint64_t>(low) << 32U | static_cast<std::uint64_t>(high)];
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+SurfacePart coarse_part(const SurfacePart& part, const Points& vertices, int wanted) {
+  const TriangleMesh surface{vertices(part.face_vertex, Eigen::all), part.triangles};
+  std::vector<bool> border(part.face_vertex.size(), false);
+  for (const auto& [edge, count] : triangles_at_edges(part.triangles)) {
+    if (count == 2) continue;
+    border[edge >> 32U] = border[edge & 0xffffffffU] = true;
+  }
+  const Triangles coarse = coarse_triangles(surface, wanted, border);
+  SurfacePart result;
+  result.material = part.material;
+  result.triangles.resize(coarse.rows(), 3);
+  std::vector<int> place(part.face_vertex.size(), -1);
+  for (Eigen::Index i = 0; i < coarse.size(); ++i) {
+    const auto v = static_cast<std::size_t>(coarse.data()[i]);
+    if (place[v] < 0) {
+      place[v] = static_cast<int>(result.face_vertex.size());
+      result.face_vertex.push_back(part.face_vertex[v]);
+      if (!part.uv.empty()) result.uv.push_back(part.uv[v]);
+    }
+    result.triangles.data()[i] = place[v];
+  }
+  return result;
 }
 
 void check_surface(const TriangleMesh& surface, const std::string& name) {

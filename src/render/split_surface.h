@@ -21,6 +21,11 @@ struct SurfacePart {
 /// \pre the mesh has passed check_face().
 std::vector<SurfacePart> split_by_corner(const TexturedMesh& face);
 
+/// The part with about `wanted` triangles, for frames while something moves, over those of its
+/// vertices that they use. Its border stays: parts fit together as before, and so do the sides of a
+/// seam. vertices: the face's.
+SurfacePart coarse_part(const SurfacePart& part, const Points& vertices, int wanted);
+
 /// Throws Error(input) with `name` as its subject unless the mesh can be shown: at least one
 /// triangle, finite coordinates, all indices in range, arrays of matching length.
 void check_face(const TexturedMesh& face, const std::string& name);

@@ -1,8 +1,12 @@
 #include "render/face_scene.h"
 
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include "base/error.h"
 #include "render/baseline.h"
@@ -196,13 +200,91 @@ TEST_F(SceneTest, CoarseBoneIsDrawnOnlyWhenAskedForAndLooksMuchTheSame) {
   EXPECT_GT(coarse.rows(), 600);
   scene.set_bone("skull", bone, skull_look, coarse);
   const Picture fine = front();
-  scene.set_coarse_bones(true);
+  scene.set_coarse(true);
   const Picture rough = front();
   EXPECT_NE(rough, fine);
   EXPECT_LT(difference(rough, fine).far_pixels, 0.02);
-  scene.set_coarse_bones(false);
+  scene.set_coarse(false);
   EXPECT_EQ(front(), fine);
   EXPECT_EQ(coarse_triangles(bone, 100000), bone.triangles);
+}
+
+/// Every triangle cut into four, its corners' texture coordinates halved along the edges.
+TexturedMesh four_times_finer(const TexturedMesh& mesh) {
+  TexturedMesh fine = mesh;
+  const Eigen::Index n = mesh.surface.triangles.rows();
+  std::map<std::pair<int, int>, int> middles;
+  std::vector<Eigen::RowVector3d> points;
+  std::vector<Eigen::RowVector2d> uvs;
+  const auto middle = [&](int a, int b) {
+    const auto [found, is_new] = middles.try_emplace(
+        std::minmax(a, b), static_cast<int>(mesh.surface.vertices.rows() + points.size()));
+    if (is_new) {
+      points.emplace_back((mesh.surface.vertices.row(a) + mesh.surface.vertices.row(b)) / 2);
+    }
+    return found->second;
+  };
+  const auto middle_uv = [&](int a, int b) {
+    if (a < 0 || b < 0) return -1;
+    uvs.emplace_back((mesh.texture_coordinates.row(a) + mesh.texture_coordinates.row(b)) / 2);
+    return static_cast<int>(mesh.texture_coordinates.rows() + uvs.size()) - 1;
+  };
+  fine.surface.triangles.resize(4 * n, 3);
+  fine.corner_texture.resize(4 * n, 3);
+  fine.triangle_material.clear();
+  for (Eigen::Index t = 0; t < n; ++t) {
+    std::array<int, 6> v{}, w{};
+    for (int k = 0; k < 3; ++k) {
+      v[k] = mesh.surface.triangles(t, k);
+      w[k] = mesh.corner_texture(t, k);
+    }
+    for (int k = 0; k < 3; ++k) {
+      v[3 + k] = middle(v[k], v[(k + 1) % 3]);
+      w[3 + k] = middle_uv(w[k], w[(k + 1) % 3]);
+    }
+    const int corners[4][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
+    for (int q = 0; q < 4; ++q) {
+      for (int k = 0; k < 3; ++k) {
+        fine.surface.triangles(4 * t + q, k) = v[corners[q][k]];
+        fine.corner_texture(4 * t + q, k) = w[corners[q][k]];
+      }
+      fine.triangle_material.push_back(mesh.triangle_material[static_cast<std::size_t>(t)]);
+    }
+  }
+  const auto append = [](auto& rows, const auto& more) {
+    const Eigen::Index before = rows.rows();
+    rows.conservativeResize(before + static_cast<Eigen::Index>(more.size()), Eigen::NoChange);
+    for (std::size_t i = 0; i < more.size(); ++i) {
+      rows.row(before + static_cast<Eigen::Index>(i)) = more[i];
+    }
+  };
+  append(fine.surface.vertices, points);
+  append(fine.texture_coordinates, uvs);
+  return fine;
+}
+
+TEST_F(SceneTest, LargeFaceIsDrawnCoarseWhileAskedForAndMovesWithIt) {
+  while (head.surface.triangles.rows() < 60000) head = four_times_finer(head);
+  scene.set_orientation_letters(false);
+  scene.set_face(head);
+  const Picture fine = front();
+  scene.set_coarse(true);
+  const Picture coarse = front();
+  EXPECT_NE(coarse, fine);
+  EXPECT_LT(difference(coarse, fine).far_pixels, 0.03) << "texture and outline stay";
+  Points moved = head.surface.vertices;
+  moved.col(0).array() += 12;
+  scene.set_face_points(moved);
+  const Picture coarse_moved = front();
+  scene.set_coarse(false);
+  const Picture fine_moved = front();
+  EXPECT_LT(difference(coarse_moved, fine_moved).far_pixels, 0.03);
+  FaceScene direct;
+  direct.set_orientation_letters(false);
+  direct.set_face(head);
+  direct.set_face_points(moved);
+  EXPECT_EQ(fine_moved, render_picture(direct, CameraPreset::front, 320, 320))
+      << "the whole face is where the coarse one was moved to";
 }
 
 TEST_F(SceneTest, HiddenAndRemovedThingsLeaveThePicture) {

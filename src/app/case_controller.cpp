@@ -76,9 +76,8 @@ struct CaseController::Opened {
 
 CaseController::CaseController(QObject* parent)
     : QObject(parent),
-      demo_cache_(
-          QFile::encodeName(QStandardPaths::writableLocation(QStandardPaths::CacheLocation))
-              .toStdString()) {
+      demo_cache_(QFile::encodeName(QStandardPaths::writableLocation(QStandardPaths::CacheLocation))
+                      .toStdString()) {
   rest_.setSingleShot(true);
   rest_.setInterval(200);
   connect(&rest_, &QTimer::timeout, this, &CaseController::rest);
@@ -197,9 +196,8 @@ bool CaseController::is_modified() const {
 void CaseController::save_case(const fs::path& file) {
   commit_motion();
   try {
-    const PlanHistory saved = history_to_save(fs::absolute(file));
-    write_case_history(saved, file);
-    if (!pending_) take_names(saved);
+    if (lies_within(plan().ct.path, demo_cache_)) keep_demo_images(fs::absolute(file));
+    write_case_history(history(), file);
   } catch (const Error& error) {
     emit failed(failure_of(error));
     return;
@@ -208,6 +206,18 @@ void CaseController::save_case(const fs::path& file) {
   saved_plan_ = history().steps()[history().position()].plan;
   emit history_changed();
   emit saved(QFile::decodeName(file_.c_str()));
+}
+
+/// Copies the demo case's images beside the file, and names the copies from now on.
+void CaseController::keep_demo_images(const fs::path& file) {
+  const fs::path cached = plan().ct.path.parent_path();
+  const fs::path copies = new_image_folder(file);
+  copy_inputs(history(), cached, copies);
+  history_ = with_copied_inputs(*history_, cached, copies);
+  if (pending_) pending_ = with_copied_inputs(*pending_, cached, copies);
+  auto loaded = std::make_shared<LoadedCase>(*loaded_);
+  loaded->plan = with_copied_inputs(loaded->plan, cached, copies);
+  loaded_ = std::move(loaded);
 }
 
 void CaseController::edit(const QString& step, SurgicalCase plan) {

@@ -57,7 +57,9 @@ class CaseController : public QObject {
   void import_ct(const CtSource& ct);
   /// What was left behind by a window that ended badly (app/recovery.h): opened as not saved.
   void recover_case(const std::filesystem::path& file, const std::filesystem::path& saved_as);
-  /// Writes the case with its history; saved() or failed() follows at once.
+  /// Writes the case with its history; saved() or failed() follows at once. Images that lie in the
+  /// demo case's cache, where they may be removed, are copied beside the file first, into a new
+  /// folder named after it.
   void save_case(const std::filesystem::path& file);
   /// Writes the face predicted for the present motions; ends with exported() or failed().
   /// Nothing happens while another export is under way. \pre has_model()
@@ -140,6 +142,7 @@ class CaseController : public QObject {
   void take_back_edit();
   void commit_motion();
   SurgicalCase plan_with_motions() const;
+  void keep_demo_images(const std::filesystem::path& file);
   void await_rest();
   void rest();
   void sharpen();
@@ -152,7 +155,8 @@ class CaseController : public QObject {
   std::optional<PlanHistory> pending_;  ///< with the edit that is being computed
   std::shared_ptr<const SurgicalCase> saved_plan_;
   std::filesystem::path file_;
-  std::vector<JawMotion> motions_;  ///< of the segments
+  std::filesystem::path demo_cache_;  ///< what lies in it is not the user's to keep
+  std::vector<JawMotion> motions_;    ///< of the segments
   std::size_t active_ = 0;
   bool held_ = false;
   Response response_;

@@ -5,6 +5,7 @@
 
 #include "app/display.h"
 #include "app/main_window.h"
+#include "app/theme.h"
 
 namespace {
 
@@ -16,7 +17,7 @@ int complain(const QString& text) {
 }
 
 struct CommandLine {
-  QString case_file;
+  QString file;
   bool demo = false;
 };
 
@@ -30,7 +31,11 @@ bool read_command_line(int argc, char** argv, CommandLine& line, int& exit_code)
   const QCommandLineOption version("version", QCoreApplication::tr("Print the version."));
   const QCommandLineOption demo("demo", QCoreApplication::tr("Open the embedded demo case."));
   parser.addOptions({demo, version});
-  parser.addPositionalArgument("case.json", QCoreApplication::tr("A case to open."), "[case.json]");
+  parser.addPositionalArgument(
+      "file",
+      QCoreApplication::tr("A case to open (.json), or what to import as a new one: a folder "
+                           "with DICOM files or an image volume."),
+      "[file]");
   if (!parser.parse(QCoreApplication::arguments())) {
     exit_code = complain(parser.errorText());
     return false;
@@ -44,7 +49,7 @@ bool read_command_line(int argc, char** argv, CommandLine& line, int& exit_code)
   }
   const QStringList files = parser.positionalArguments();
   if (files.size() + (parser.isSet(demo) ? 1 : 0) > 1) {
-    exit_code = complain(QCoreApplication::tr("more than one case; give one case.json, or --demo"));
+    exit_code = complain(QCoreApplication::tr("more than one case; give one file, or --demo"));
     return false;
   }
   line = {files.value(0), parser.isSet(demo)};
@@ -67,14 +72,16 @@ int main(int argc, char** argv) {
   gnathion::prepare_graphics();
   QApplication app(argc, argv);
   gnathion::use_c_numbers();
+  gnathion::start_theme();
   const QString graphics = gnathion::graphics_problem();
   if (!graphics.isEmpty()) return complain(graphics);
 
   Q_INIT_RESOURCE(gnathion);  // of a static library: nothing else would pull it in
   QApplication::setWindowIcon(QIcon(":/gnathion.svg"));
+  QGuiApplication::setDesktopFileName("org.gnathion.Gnathion");
   gnathion::MainWindow window;
   window.show();
   if (line.demo) window.open_demo_case();
-  if (!line.case_file.isEmpty()) window.open_case(line.case_file);
+  if (!line.file.isEmpty()) window.take(line.file);
   return QApplication::exec();
 }

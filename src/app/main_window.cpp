@@ -8,7 +8,6 @@
 #include <QMessageBox>
 #include <QProgressBar>
 #include <QSlider>
-#include <QStandardPaths>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
@@ -19,6 +18,7 @@
 #include "app/face_view.h"
 #include "app/motion_panel.h"
 #include "app/region_panel.h"
+#include "app/theme.h"
 #include "base/error.h"
 #include "render/picture.h"
 #include "ui_main_window.h"
@@ -44,13 +44,18 @@ double to_tenth(double value) {
 }  // namespace
 
 MainWindow::MainWindow(QWidget* parent)
-    : QMainWindow(parent), ui_(std::make_unique<Ui::MainWindow>()) {
+    : QMainWindow(parent),
+      ui_(std::make_unique<Ui::MainWindow>()),
+      saver_(controller_, *this),
+      opener_(controller_, saver_, recent_, *this),
+      recovery_(controller_, Recovery::default_root()) {
   ui_->setupUi(this);
   panel_ = ui_->motion_panel;
   add_steps();
   add_tools();
   add_status();
   connect_file_actions();
+  connect_welcome_page();
   connect_edit_actions();
   connect_view_actions();
   connect_motion();
@@ -136,25 +141,56 @@ void MainWindow::add_status() {
 }
 
 void MainWindow::connect_file_actions() {
-  connect(ui_->open_action, &QAction::triggered, this, &MainWindow::ask_case);
-  connect(ui_->demo_action, &QAction::triggered, this, &MainWindow::open_demo_case);
+  connect(ui_->open_action, &QAction::triggered, &opener_, &CaseOpener::ask_case);
+  connect(ui_->demo_action, &QAction::triggered, &opener_, &CaseOpener::open_demo);
+  connect(ui_->import_folder_action, &QAction::triggered, &opener_, &CaseOpener::ask_dicom_folder);
+  connect(ui_->import_volume_action, &QAction::triggered, &opener_, &CaseOpener::ask_volume);
+  connect(&opener_, &CaseOpener::failed, ui_->message_bar, &MessageBar::show_failure);
+  connect(&recent_, &RecentCases::changed, this, &MainWindow::show_recent);
   connect(ui_->export_action, &QAction::triggered, this, &MainWindow::ask_export);
   connect(ui_->picture_action, &QAction::triggered, this, &MainWindow::ask_picture);
   connect(ui_->quit_action, &QAction::triggered, this, &QWidget::close);
   connect(ui_->about_action, &QAction::triggered, this, &MainWindow::show_about);
-  connect(ui_->welcome_open_button, &QPushButton::clicked, ui_->open_action, &QAction::trigger);
-  connect(ui_->welcome_demo_button, &QPushButton::clicked, ui_->demo_action, &QAction::trigger);
+}
+
+void MainWindow::connect_welcome_page() {
+  WelcomePage* page = ui_->welcome_page;
+  connect(page, &WelcomePage::demo_wanted, ui_->demo_action, &QAction::trigger);
+  connect(page, &WelcomePage::case_wanted, ui_->open_action, &QAction::trigger);
+  connect(page, &WelcomePage::dicom_folder_wanted, ui_->import_folder_action, &QAction::trigger);
+  connect(page, &WelcomePage::volume_wanted, ui_->import_volume_action, &QAction::trigger);
+  connect(page, &WelcomePage::recent_wanted, &opener_, &CaseOpener::take);
+  connect(page, &WelcomePage::forget_wanted, &recent_, &RecentCases::forget);
+  connect(page, &WelcomePage::clear_wanted, &recent_, &RecentCases::clear);
+  connect(page, &WelcomePage::recover_wanted, &recovery_, &Recovery::recover);
+  connect(page, &WelcomePage::discard_wanted, &recovery_, &Recovery::discard);
+  connect(&opener_, &CaseOpener::drop_hovers, page, &WelcomePage::set_drop_welcome);
+  connect(&recovery_, &Recovery::left_behind_changed, page,
+          [this, page] { page->show_left_behind(recovery_.left_behind()); });
+  connect(&recovery_, &Recovery::noticed, &controller_, &CaseController::noticed);
+  page->show_left_behind(recovery_.left_behind());
+  show_recent();
+}
+
+void MainWindow::show_recent() {
+  const QStringList files = recent_.files();
+  ui_->welcome_page->show_recent(files);
+  ui_->recent_menu->clear();
+  ui_->recent_menu->setEnabled(!files.isEmpty());
+  for (const QString& file : files) {
+    QAction* action = ui_->recent_menu->addAction(QFileInfo(file).fileName().replace("&", "&&"),
+                                                  this, [this, file] { opener_.take(file); });
+    action->setToolTip(file);
+    action->setEnabled(RecentCases::problem_of(file).isEmpty());
+  }
+  ui_->recent_menu->addSeparator();
+  ui_->recent_menu->addAction(tr("&Clear list"), &recent_, &RecentCases::clear)
+      ->setObjectName("clear_recent_action");
 }
 
 void MainWindow::connect_edit_actions() {
-  connect(ui_->save_action, &QAction::triggered, this, [this] {
-    if (controller_.file().empty()) {
-      ask_save();
-    } else {
-      controller_.save_case(controller_.file());
-    }
-  });
-  connect(ui_->save_as_action, &QAction::triggered, this, &MainWindow::ask_save);
+  connect(ui_->save_action, &QAction::triggered, &saver_, &CaseSaver::save);
+  connect(ui_->save_as_action, &QAction::triggered, &saver_, &CaseSaver::save_as);
   connect(ui_->undo_action, &QAction::triggered, &controller_, &CaseController::undo);
   connect(ui_->redo_action, &QAction::triggered, &controller_, &CaseController::redo);
   connect(&controller_, &CaseController::history_changed, this, &MainWindow::show_history);
@@ -194,6 +230,8 @@ void MainWindow::connect_view_actions() {
   connect(ui_->bone_action, &QAction::toggled, view, &FaceView::set_bone_visible);
   connect(ui_->colour_map_action, &QAction::toggled, view, &FaceView::set_colour_map_visible);
   connect(ui_->before_action, &QAction::toggled, view, &FaceView::set_before_visible);
+  connect_theme_actions(*ui_->system_theme_action, *ui_->light_theme_action,
+                        *ui_->dark_theme_action);
   connect(opacity_slider_, &QSlider::valueChanged, view,
           [view](int percent) { view->set_face_opacity(percent / 100.0); });
 }
@@ -313,38 +351,10 @@ void MainWindow::open_case(const QString& file) {
 }
 
 void MainWindow::open_demo_case() {
-  controller_.open_demo_case(
-      path_of(QStandardPaths::writableLocation(QStandardPaths::CacheLocation)));
+  controller_.open_demo_case(CaseOpener::demo_cache());
 }
 
 // Dialogs are opened, not executed: no event loop within another, so that the window may close.
-
-void MainWindow::ask_case() {
-  auto* dialog = new QFileDialog(this, tr("Open case"));
-  dialog->setObjectName("open_dialog");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setOption(QFileDialog::DontUseNativeDialog);
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  dialog->setNameFilters({tr("Case files (*.json)"), tr("All files (*)")});
-  connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::open_case);
-  dialog->open();
-}
-
-void MainWindow::ask_save() {
-  auto* dialog = new QFileDialog(this, tr("Save the case"));
-  dialog->setObjectName("save_dialog");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setOption(QFileDialog::DontUseNativeDialog);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setNameFilter(tr("Case files (*.json)"));
-  dialog->setDefaultSuffix("json");
-  const QString file = QFile::decodeName(controller_.file().c_str());
-  dialog->setDirectory(file.isEmpty() ? QDir::homePath() : QFileInfo(file).path());
-  dialog->selectFile(file.isEmpty() ? "case.json" : QFileInfo(file).fileName());
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this](const QString& chosen) { controller_.save_case(path_of(chosen)); });
-  dialog->open();
-}
 
 void MainWindow::ask_export() {
   auto* dialog = new QFileDialog(this, tr("Export the predicted face into a new folder"));
@@ -466,7 +476,8 @@ void MainWindow::show_answer_words() {
   const AnswerWords words = answer_words(controller_, refinement_stage_);
   ui_->face_view->set_caption(predicted_words(controller_) + "\n" + words.caption);
   QString status = words.status.toHtmlEscaped();
-  if (words.warning) status = QString("<b style='color:#b35900'>%1</b>").arg(status);
+  if (words.warning)
+    status = QString("<b style='color:%1'>%2</b>").arg(warning_colour(palette()).name(), status);
   if (player_.is_computing()) status = tr("Computing the motion in time");
   if (player_.is_playing()) status = tr("Playing the damped motion of the linear model");
   model_label_->setText(status);

@@ -5,7 +5,11 @@
 #include <memory>
 
 #include "app/case_controller.h"
+#include "app/case_opener.h"
+#include "app/case_saver.h"
 #include "app/motion_player.h"
+#include "app/recent_cases.h"
+#include "app/recovery.h"
 
 class QFileDialog;
 class QLabel;
@@ -34,14 +38,18 @@ class MainWindow : public QMainWindow {
   CaseController& controller() { return controller_; }
   MotionPlayer& player() { return player_; }
   FaceView& face_view();
+  /// At once, whatever becomes of the case that is open.
   void open_case(const QString& file);
   void open_demo_case();
+  /// A case, a DICOM folder, a volume or a photograph, as if it were dropped on the window.
+  void take(const QString& path) { opener_.take(path); }
 
  private:
   void add_tools();
   void add_status();
   void add_steps();
   void connect_file_actions();
+  void connect_welcome_page();
   void connect_edit_actions();
   void connect_view_actions();
   void connect_motion();
@@ -50,8 +58,7 @@ class MainWindow : public QMainWindow {
   void connect_work();
   void update_enabled();
 
-  void ask_case();
-  void ask_save();
+  void show_recent();
   void ask_export();
   void ask_picture();
   void save_picture(const QString& file);
@@ -85,6 +92,10 @@ class MainWindow : public QMainWindow {
   // Last: their workers stop before any widget goes.
   CaseController controller_;
   MotionPlayer player_;
+  RecentCases recent_;
+  CaseSaver saver_;
+  CaseOpener opener_;
+  Recovery recovery_;
 };
 
 }  // namespace gnathion

@@ -1,0 +1,47 @@
+#include "io/input_kind.h"
+
+#include <algorithm>
+#include <cctype>
+#include <initializer_list>
+#include <string>
+
+#include "base/error.h"
+
+namespace gnathion {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool ends_with_any(const std::string& name, std::initializer_list<const char*> endings) {
+  return std::any_of(endings.begin(), endings.end(),
+                     [&name](const char* ending) { return name.ends_with(ending); });
+}
+
+}  // namespace
+
+InputKind input_kind(const fs::path& path) {
+  std::error_code failure;
+  const fs::file_status status = fs::status(path, failure);
+  if (!fs::exists(status)) {
+    throw Error(ErrorKind::input, path.string(), "does not exist or cannot be reached",
+                "check the name, its rights, and that its disk is connected");
+  }
+  if (fs::is_directory(status)) return InputKind::dicom_folder;
+  std::string name = path.filename().string();
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  if (ends_with_any(name, {".json"})) return InputKind::case_file;
+  if (ends_with_any(name, {".obj"})) return InputKind::photograph;
+  if (ends_with_any(name, {".mha", ".mhd", ".nrrd", ".nhdr", ".nii", ".nii.gz"})) {
+    return InputKind::volume;
+  }
+  if (ends_with_any(name, {".dcm", ".ima", "dicomdir"})) {
+    throw Error(ErrorKind::input, path.string(), "is one file of a DICOM series",
+                "give the folder that holds the series");
+  }
+  throw Error(ErrorKind::input, path.string(), "is nothing that Gnathion can open",
+              "give a folder with DICOM files, a volume (.mha, .mhd, .nrrd, .nhdr, .nii, .nii.gz), "
+              "a photograph (.obj) or a case (.json)");
+}
+
+}  // namespace gnathion

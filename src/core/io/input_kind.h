@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+
+namespace gnathion {
+
+/// What a file or folder that a user gives is good for.
+enum class InputKind {
+  dicom_folder,  ///< a folder: its DICOM series are to be listed
+  volume,        ///< .mha, .mhd, .nrrd, .nhdr, .nii, .nii.gz
+  photograph,    ///< .obj
+  case_file,     ///< .json
+};
+
+/// By its name, capitals or not; nothing is read.
+/// Throws Error(input) when it does not exist, and for any other name with what would do instead.
+InputKind input_kind(const std::filesystem::path& path);
+
+}  // namespace gnathion

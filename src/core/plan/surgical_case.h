@@ -30,6 +30,7 @@ struct PhotographSource {
 struct RegionChoice {
   double reach_mm = 35;       ///< of the suggested region: distance from the segment
   std::vector<int> vertices;  ///< of the face, from 0; not empty: these instead
+  bool erased = false;        ///< neither: all of it was erased and nothing is chosen yet
 
   bool operator==(const RegionChoice&) const = default;
 };

@@ -51,6 +51,10 @@ Bones search_trees(const Anatomy& anatomy, Progress& progress) {
 
 IntermediateMesh choose_region(const TriangleMesh& face, const RegionChoice& choice,
                                const BspTree& segments) {
+  if (choice.vertices.empty() && choice.erased) {
+    throw Error(ErrorKind::anatomy, "region", "all of it was erased",
+                "paint the part of the face that may move, or take the suggested one");
+  }
   return choice.vertices.empty() ? suggest_region(face, segments, choice.reach_mm)
                                  : region_of_vertices(face, choice.vertices);
 }

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/bsp_tree.h"
 #include "geometry/triangle_mesh.h"
 
 namespace gnathion {
@@ -28,22 +27,29 @@ std::vector<Eigen::Vector3d> directions_around_z() {
 
 }  // namespace
 
+PocketSearch::PocketSearch(const TriangleMesh& surface)
+    : tree_(surface),
+      places_(surface.vertices),
+      normals_(vertex_normals(surface)),
+      around_(directions_around_z()) {}
+
+bool PocketSearch::is_hidden(int vertex) const {
+  const Eigen::Vector3d n = normals_.row(vertex);
+  const Eigen::Vector3d x = places_.row(vertex);
+  const auto turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), n);
+  int open = 0;
+  for (const Eigen::Vector3d& d : around_) {
+    open += !tree_.first_hit(x + kStart * n, turn * d, kReach).has_value();
+    if (10 * open > kDirections) return false;
+  }
+  return true;
+}
+
 std::vector<bool> hidden_vertices(const TriangleMesh& surface, const std::vector<bool>& asked) {
-  const BspTree tree(surface);
-  const Points normals = vertex_normals(surface);
-  const std::vector<Eigen::Vector3d> around = directions_around_z();
+  const PocketSearch pockets(surface);
   std::vector<bool> hidden(asked.size(), false);
   for (std::size_t v = 0; v < asked.size(); ++v) {
-    if (!asked[v]) continue;
-    const Eigen::Vector3d n = normals.row(static_cast<Eigen::Index>(v));
-    const Eigen::Vector3d x = surface.vertices.row(static_cast<Eigen::Index>(v));
-    const auto turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), n);
-    int open = 0;
-    for (const Eigen::Vector3d& d : around) {
-      open += !tree.first_hit(x + kStart * n, turn * d, kReach).has_value();
-      if (10 * open > kDirections) break;
-    }
-    hidden[v] = 10 * open <= kDirections;
+    hidden[v] = asked[v] && pockets.is_hidden(static_cast<int>(v));
   }
   return hidden;
 }

@@ -129,6 +129,61 @@ std::vector<int> enclosed_vertices(const TriangleMesh& face, const std::vector<i
   return enclosed;
 }
 
+/// Holds the rim of a hole again where visible skin lies beyond it: only a pocket, or a place where
+/// the scan has nothing, goes along. \pre free_holes()
+void hold_visible_holes(const TriangleMesh& face, const std::vector<std::vector<int>>& neighbours,
+                        IntermediateMesh& region) {
+  std::vector<bool> inside(neighbours.size(), false), beyond(neighbours.size(), false);
+  for (const int v : region.face_vertex) inside[v] = true;
+  for (std::size_t i = 0; i < region.rim.size(); ++i) {
+    if (!region.rim[i] || region.held[i]) continue;
+    for (const int w : neighbours[region.face_vertex[i]]) beyond[w] = !inside[w];
+  }
+  if (std::find(beyond.begin(), beyond.end(), true) == beyond.end()) return;
+  const std::vector<bool> hidden = hidden_vertices(face, beyond);
+  const std::vector<int> loop = rim_loops(region);
+  std::map<int, int> more_hidden;  // by loop: neighbours beyond it that are hidden, less the others
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    if (loop[i] == -1 || region.held[i]) continue;
+    for (const int w : neighbours[region.face_vertex[i]]) {
+      if (beyond[w]) more_hidden[loop[i]] += hidden[w] ? 1 : -1;
+    }
+  }
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const auto found = more_hidden.find(loop[i]);
+    if (loop[i] != -1 && found != more_hidden.end() && found->second < 0) region.held[i] = true;
+  }
+}
+
+/// The vertices of the face beyond holes that are not held: the pieces of the rest of the face that
+/// touch the region there and nowhere else.
+std::vector<int> beyond_free_holes(const std::vector<std::vector<int>>& neighbours,
+                                   const IntermediateMesh& region) {
+  enum : unsigned char { unseen, seen, free_rim, held_rim };
+  std::vector<unsigned char> state(neighbours.size(), unseen);
+  for (std::size_t i = 0; i < region.rim.size(); ++i) {
+    state[region.face_vertex[i]] = region.rim[i] && !region.held[i] ? free_rim : held_rim;
+  }
+  std::vector<int> enclosed;
+  for (int start = 0; start < static_cast<int>(state.size()); ++start) {
+    if (state[start] != unseen) continue;
+    std::vector<int> piece{start};
+    state[start] = seen;
+    bool touches_free = false, touches_held = false;
+    for (std::size_t k = 0; k < piece.size(); ++k) {
+      for (const int w : neighbours[piece[k]]) {
+        touches_free = touches_free || state[w] == free_rim;
+        touches_held = touches_held || state[w] == held_rim;
+        if (state[w] != unseen) continue;
+        state[w] = seen;
+        piece.push_back(w);
+      }
+    }
+    if (touches_free && !touches_held) enclosed.insert(enclosed.end(), piece.begin(), piece.end());
+  }
+  return enclosed;
+}
+
 }  // namespace
 
 IntermediateMesh suggest_region(const TriangleMesh& face, const BspTree& segment, double reach) {
@@ -176,7 +231,12 @@ IntermediateMesh region_of_vertices(const TriangleMesh& face, const std::vector<
     throw Error(ErrorKind::anatomy, kSubject, "it is in " + std::to_string(pieces) + " pieces",
                 "choose one connected region around the segment");
   }
-  return make_region(face, keep);
+  IntermediateMesh region = make_region(face, keep);
+  free_holes(region);
+  const auto neighbours = vertex_neighbours(face);
+  hold_visible_holes(face, neighbours, region);
+  region.enclosed = beyond_free_holes(neighbours, region);
+  return region;
 }
 
 }  // namespace gnathion

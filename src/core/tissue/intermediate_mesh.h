@@ -27,8 +27,9 @@ struct IntermediateMesh {
 /// within reach, or when what is within reach has no rim.
 IntermediateMesh suggest_region(const TriangleMesh& face, const BspTree& segment, double reach);
 
-/// The region of a given set of face vertices: the triangles with all three vertices in it. All of
-/// its rim is held, holes included.
+/// The region of a given set of face vertices: the triangles with all three vertices in it. Its
+/// outer rim is held, and so are holes with visible skin beyond. Holes where a pocket begins or the
+/// scan has nothing are free, and what they enclose goes along.
 /// Throws Error(anatomy) when an index is out of range, no triangle is left, the region is in
 /// several pieces, has no rim or is not a manifold.
 IntermediateMesh region_of_vertices(const TriangleMesh& face, const std::vector<int>& vertices);

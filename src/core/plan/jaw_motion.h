@@ -21,4 +21,17 @@ struct JawMotion {
 /// The same as a rigid motion in LPS mm. `pivot`: LPS, mm.
 RigidMotion rigid_motion(const JawMotion& motion, const Eigen::Vector3d& pivot);
 
+/// The motion in words that gives `rigid` about `pivot` (LPS, mm): the inverse of rigid_motion(),
+/// exact to rounding for every rotation. Roll is within ±90°, pitch and yaw within ±180°; at a roll
+/// of ±90°, where pitch and yaw turn about the same axis, all of it is pitch.
+JawMotion jaw_motion(const RigidMotion& rigid, const Eigen::Vector3d& pivot);
+
+/// The same motion of the bone told about another pivot (both LPS, mm).
+JawMotion about_pivot(const JawMotion& motion, const Eigen::Vector3d& from,
+                      const Eigen::Vector3d& to);
+
+/// `motion`, then a turn by `degrees`, right-handed, about an axis through the pivot where it is by
+/// now. axis: LPS, of unit length. The translation stays.
+JawMotion turned(const JawMotion& motion, const Eigen::Vector3d& axis, double degrees);
+
 }  // namespace gnathion

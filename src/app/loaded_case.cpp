@@ -65,9 +65,9 @@ std::shared_ptr<const LoadedCase> load_case(const SurgicalCase& plan, const Load
   loaded->anatomy = anatomy;
   // The future's destructor waits for its thread.
   std::future<void> coarse = std::async(std::launch::async, [anatomy, &loaded] {
-    loaded->coarse_skull = coarse_triangles(anatomy->remainder);
+    loaded->coarse_skull = coarse_triangles(anatomy->remainder, kQuickSkull);
     for (const BoneSegment& segment : anatomy->segments) {
-      loaded->coarse_segments.push_back(coarse_triangles(segment.mesh, 20000));
+      loaded->coarse_segments.push_back(coarse_triangles(segment.mesh, kQuickSegment));
     }
   });
   require_showable(anatomy->face);

@@ -30,6 +30,7 @@
 
 #include "base/error.h"
 #include "geometry/triangle_mesh.h"
+#include "render/coarse_surface.h"
 #include "render/colour_map.h"
 #include "render/split_surface.h"
 #include "render/texture_image.h"
@@ -165,19 +166,16 @@ struct CoarseFace {
   }
 };
 
-/// A face that a software renderer draws in less than a frame of a drag needs no coarse one.
-constexpr int quick_triangles = 24000;
-
 /// Empty for a face that is drawn whole. `parts`: of the face, all of them shown in `fine`.
 CoarseFace coarse_face(const TexturedMesh& face, const std::vector<SurfacePart>& parts,
                        const std::vector<std::unique_ptr<ShownSurface>>& fine) {
   CoarseFace coarse;
   const Eigen::Index whole = face.surface.triangles.rows();
-  if (whole <= quick_triangles) return coarse;
+  if (whole <= kQuickFace) return coarse;
   std::vector<int> place(static_cast<size_t>(face.surface.vertices.rows()), -1);
   std::vector<Eigen::RowVector3i> triangles;
   for (std::size_t p = 0; p < parts.size(); ++p) {
-    const auto share = static_cast<int>(parts[p].triangles.rows() * quick_triangles / whole);
+    const auto share = static_cast<int>(parts[p].triangles.rows() * kQuickFace / whole);
     SurfacePart part = coarse_part(parts[p], face.surface.vertices, std::max(share, 1));
     for (int& v : part.face_vertex) {
       int& known = place[static_cast<size_t>(v)];

@@ -9,6 +9,7 @@
 
 #include "bench/calibration.h"
 #include "bench/elements.h"
+#include "bench/frames.h"
 #include "bench/limits.h"
 #include "bench/mesh_peers.h"
 #include "bench/models.h"
@@ -33,9 +34,10 @@ int main(int argc, char** argv) {
   long largest = 1000000;
   app.add_option("folder", folder, "for tables (CSV) and plots (SVG)")->required();
   app.add_option("cases", cases, "case files: heads to mesh");
-  app.add_option("--only", only,
-                 "hard, targets, calibration, models, meshes, elements, scaling; reference: only "
-                 "when named")
+  app.add_option(
+         "--only", only,
+         "hard, targets, calibration, models, meshes, elements, scaling, frames; reference: only "
+         "when named")
       ->take_all();
   app.add_option("--largest", largest, "tets of the largest patch of the scaling");
   CLI11_PARSE(app, argc, argv);
@@ -48,6 +50,7 @@ int main(int argc, char** argv) {
       {"meshes", [&](const Report& report) { report_mesh_peers(report, cases); }},
       {"elements", [&](const Report& report) { report_elements(report); }},
       {"scaling", [&](const Report& report) { report_scaling(report, largest); }},
+      {"frames", [&](const Report& report) { report_frames(report, cases); }},
       {"reference", [&](const Report& report) { report_reference(report, cases); }}};
   try {
     const Report report(folder);

@@ -20,7 +20,8 @@
 namespace gnathion::bench {
 namespace {
 
-/// A mesh that a reference is computed on: the length of edges, mm, and of layers, in edges.
+/// A mesh that a reference is computed on: the length of edges, mm (1: shorter than a patch's own,
+/// which are kept), and of layers, in edges.
 struct Fineness {
   double edge, layers;
 };
@@ -41,12 +42,12 @@ std::vector<RigidMotion> forward(double mm) {
   return motions;
 }
 
-Scene patch_scene(const std::string& name, const TriangleMesh& skin, double layers, double other) {
-  // Edges of 1 mm are shorter than a patch's own: it is not remeshed.
+Scene patch_scene(const std::string& name, const TriangleMesh& skin, const Fineness& fine,
+                  const Fineness& other) {
   Scene scene{name + ", chin 5 mm forward",
               "reference-" + name,
-              {1, layers},
-              {1, other},
+              fine,
+              other,
               patch_anatomy(skin),
               {},
               {},
@@ -327,8 +328,12 @@ std::vector<Sample> measured(const Report& report, const Scene& scene) {
 
 std::vector<std::function<Scene()>> scenes_of(const std::vector<std::string>& cases) {
   std::vector<std::function<Scene()>> scenes{
-      [] { return patch_scene("p1", testing::patch_p1(), 0.5, 1); },
-      [] { return patch_scene("p2", testing::patch_p2(), 0, 2); }};
+      [] {
+        return patch_scene("p1", testing::patch_p1(), {1, 0.5}, {1, 1});
+      },
+      [] {
+        return patch_scene("p2", testing::patch_p2(), {2, 0}, {2, 2});
+      }};
   for (const std::string& path : cases) scenes.emplace_back([path] { return case_scene(path); });
   return scenes;
 }

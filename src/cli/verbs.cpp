@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "demo/demo_case.h"
 #include "imaging/dicom_series.h"
 #include "io/calculix.h"
@@ -43,10 +44,20 @@ struct Step {
   const fs::path& folder;  ///< where to write
 };
 
-/// Reads the case, builds its anatomy, lets `write` fill a new folder and publishes it.
-void write_step(const fs::path& case_file, const fs::path& target, std::ostream& out,
+/// The plan of a case file for a verb that moves bone.
+SurgicalCase read_case_with_segments(const fs::path& case_file) {
+  SurgicalCase plan = read_case_file(case_file);
+  if (plan.segments.empty()) {
+    throw Error(ErrorKind::case_file, case_file.string() + ": segments",
+                "the case has no segment yet, so that nothing moves",
+                "add one with its cut as in docs/case-file.md, or cut one in the window");
+  }
+  return plan;
+}
+
+/// Builds the plan's anatomy, lets `write` fill a new folder and publishes it.
+void write_step(const SurgicalCase& plan, const fs::path& target, std::ostream& out,
                 Progress& progress, const std::function<void(const Step&)>& write) {
-  const SurgicalCase plan = read_case_file(case_file);
   NewFolder folder(target);
   const Anatomy anatomy = build_anatomy(plan, progress);
   write({plan, anatomy, folder.path()});
@@ -164,21 +175,27 @@ void demo_case_verb(unsigned seed, const fs::path& target, std::ostream& out, Pr
 }
 
 void check_verb(const fs::path& case_file, std::ostream& out) {
-  const SurgicalCase plan = read_case_file(case_file);
+  const PlanHistory history = read_case_history(case_file);
+  const SurgicalCase& plan = history.plan();
   out << "case " << (plan.name.empty() ? "(no name)" : plan.name) << '\n'
       << "  face: " << (plan.photograph ? "photograph" : "skin of the CT") << '\n';
+  if (plan.segments.empty()) out << "  no segment yet\n";
   for (const PlannedSegment& segment : plan.segments) {
     const JawMotion& m = segment.motion;
     out << "  " << segment.name << ": forward " << m.forward_mm << " mm, up " << m.up_mm
         << " mm, left " << m.left_mm << " mm, pitch " << m.pitch_deg << " deg, roll " << m.roll_deg
         << " deg, yaw " << m.yaw_deg << " deg\n";
   }
+  if (history.steps().size() > 1) {
+    out << "  step " << history.position() + 1 << " of " << history.steps().size() << ": "
+        << history.steps()[history.position()].name << '\n';
+  }
   out << "the case file is well formed\n";
 }
 
 void surfaces_verb(const fs::path& case_file, const fs::path& target, std::ostream& out,
                    Progress& progress) {
-  write_step(case_file, target, out, progress, [](const Step& step) {
+  write_step(read_case_file(case_file), target, out, progress, [](const Step& step) {
     write_ply(step.anatomy.bone, step.folder / "bone.ply");
     const ObjDocument& face = step.anatomy.face.document;
     face.write(step.folder, "face.obj", face.mesh().surface.vertices);
@@ -187,7 +204,7 @@ void surfaces_verb(const fs::path& case_file, const fs::path& target, std::ostre
 
 void segment_verb(const fs::path& case_file, const fs::path& target, std::ostream& out,
                   Progress& progress) {
-  write_step(case_file, target, out, progress, [&out](const Step& step) {
+  write_step(read_case_with_segments(case_file), target, out, progress, [&out](const Step& step) {
     write_ply(step.anatomy.remainder, step.folder / "remainder.ply");
     const std::vector<BoneSegment>& segments = step.anatomy.segments;
     for (std::size_t s = 0; s < segments.size(); ++s) {
@@ -201,19 +218,20 @@ void segment_verb(const fs::path& case_file, const fs::path& target, std::ostrea
 
 void region_verb(const fs::path& case_file, const fs::path& target, std::ostream& out,
                  Progress& progress) {
-  write_step(case_file, target, out, progress, [&progress](const Step& step) {
-    const TissueProblem problem =
-        build_tissue(step.anatomy, step.plan.region, step.plan.tissue, progress);
-    write_ply(problem.region.mesh, step.folder / "region.ply");
-    std::ostringstream vertices;
-    for (const int v : problem.face_vertices) vertices << v << '\n';
-    write_text_file(step.folder / "region.txt", vertices.str());
-  });
+  write_step(read_case_with_segments(case_file), target, out, progress,
+             [&progress](const Step& step) {
+               const TissueProblem problem =
+                   build_tissue(step.anatomy, step.plan.region, step.plan.tissue, progress);
+               write_ply(problem.region.mesh, step.folder / "region.ply");
+               std::ostringstream vertices;
+               for (const int v : problem.face_vertices) vertices << v << '\n';
+               write_text_file(step.folder / "region.txt", vertices.str());
+             });
 }
 
 void mesh_verb(const fs::path& case_file, const fs::path& target, std::ostream& out,
                Progress& progress) {
-  write_step(case_file, target, out, progress, [&](const Step& step) {
+  write_step(read_case_with_segments(case_file), target, out, progress, [&](const Step& step) {
     const TissueModel& model = step.plan.tissue;
     const TissueProblem problem = build_tissue(step.anatomy, step.plan.region, model, progress);
     const TetMesh& mesh = problem.tissue.mesh;
@@ -230,7 +248,7 @@ void mesh_verb(const fs::path& case_file, const fs::path& target, std::ostream& 
 
 void predict_verb(const fs::path& case_file, const fs::path& target, bool pictures,
                   std::ostream& out, Progress& progress) {
-  const SurgicalCase plan = read_case_file(case_file);
+  const SurgicalCase plan = read_case_with_segments(case_file);
   NewFolder folder(target);
   const Anatomy anatomy = build_anatomy(plan, progress);
   const FaceModel model(anatomy, plan.region, plan.tissue, progress);
@@ -250,7 +268,7 @@ void predict_verb(const fs::path& case_file, const fs::path& target, bool pictur
 
 void settle_verb(const fs::path& case_file, const fs::path& target, const SettlingOptions& options,
                  bool pictures, std::ostream& out, Progress& progress) {
-  write_step(case_file, target, out, progress, [&](const Step& step) {
+  write_step(read_case_with_segments(case_file), target, out, progress, [&](const Step& step) {
     TissueModel tissue = step.plan.tissue;
     tissue.elements = Elements::linear;  // what the damped motion lives on
     const FaceModel model(step.anatomy, step.plan.region, tissue, progress);

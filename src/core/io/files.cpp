@@ -1,12 +1,17 @@
 #include "io/files.h"
 
+#include <fcntl.h>
 #include <openssl/evp.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <fstream>
 #include <memory>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -86,6 +91,77 @@ void write_text_file(const fs::path& path, const std::string& text) {
     throw Error(ErrorKind::output, path.string(), "it cannot be written",
                 "check free space and rights, or choose another place");
   }
+}
+
+namespace {
+
+/// A new hidden file that takes another's place; until then it goes with the object.
+class Replacement {
+ public:
+  explicit Replacement(fs::path target) : target_(std::move(target)) {
+    const std::string name =
+        "." + target_.filename().string() + ".partial-" + std::to_string(getpid());
+    // The name must be new: a killed program of the same number may have left its file behind.
+    for (int attempt = 0; file_ < 0 && (attempt == 0 || errno == EEXIST); ++attempt) {
+      partial_ = target_.parent_path() / (name + "-" + std::to_string(attempt));
+      file_ = ::open(partial_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    }
+    if (file_ < 0) fail();
+    struct stat old {};
+    if (::stat(target_.c_str(), &old) == 0) ::fchmod(file_, old.st_mode & 07777U);
+  }
+  ~Replacement() {
+    if (file_ >= 0) ::close(file_);
+    if (!done_) ::unlink(partial_.c_str());
+  }
+  Replacement(const Replacement&) = delete;
+  Replacement& operator=(const Replacement&) = delete;
+
+  void write(const std::string& text) {
+    for (std::size_t written = 0; written < text.size();) {
+      const ssize_t count = ::write(file_, text.data() + written, text.size() - written);
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) fail();
+      written += static_cast<std::size_t>(count);
+    }
+  }
+
+  void take_place() {
+    if (::fsync(file_) != 0) fail();
+    const int file = std::exchange(file_, -1);
+    if (::close(file) != 0 || ::rename(partial_.c_str(), target_.c_str()) != 0) fail();
+    done_ = true;
+    // The new name is safe once its folder is on the disk; where that cannot be asked for, so be
+    // it.
+    const int folder = ::open(target_.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder < 0) return;
+    ::fsync(folder);
+    ::close(folder);
+  }
+
+ private:
+  /// With the system's reason.
+  [[noreturn]] void fail() {
+    const std::string reason = std::generic_category().message(errno);
+    throw Error(ErrorKind::output, target_.string(),
+                "it cannot be written (" + reason + "); what was there is unchanged",
+                "check free space and rights, or choose another place");
+  }
+
+  fs::path target_, partial_;
+  int file_ = -1;
+  bool done_ = false;
+};
+
+}  // namespace
+
+void replace_text_file(const fs::path& path, const std::string& text) {
+  std::error_code none;  // a name that leads nowhere fails below, with its reason
+  const bool is_link = fs::is_symlink(path, none);
+  const fs::path file = is_link ? fs::canonical(path, none) : fs::absolute(path);
+  Replacement replacement(file.empty() ? fs::absolute(path) : file);
+  replacement.write(text);
+  replacement.take_place();
 }
 
 std::string sha256_of(const fs::path& path) {

@@ -11,6 +11,11 @@ std::string read_text_file(const std::filesystem::path& path);
 /// Throws Error(output) when not every byte can be written.
 void write_text_file(const std::filesystem::path& path, const std::string& text);
 
+/// The same, but the file changes whole or not at all: the text goes into a hidden file beside it,
+/// onto the disk, and takes the old file's place and rights. A crash or a full disk leaves the old
+/// file as it was. Of a link, the file that it points to is replaced. Throws Error(output).
+void replace_text_file(const std::filesystem::path& path, const std::string& text);
+
 /// Hex SHA-256 of a file; of a folder, that of the sorted list of its files' hashes and relative
 /// names. Throws Error(input).
 std::string sha256_of(const std::filesystem::path& path);

@@ -1,6 +1,6 @@
 #include "io/json_reader.h"
 
-#include <cmath>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
@@ -14,14 +14,35 @@ using nlohmann::json;
 
 struct JsonReader::Implementation {
   std::string file;
-  std::string path;  ///< of this object, with a trailing dot; empty for the root
-  json value;
+  std::string path;                      ///< of this object, with a trailing dot; empty: the root
+  std::shared_ptr<const json> document;  ///< that holds the object
+  const json* value = nullptr;           ///< the object
   std::set<std::string> asked;
 
   const json* find(const std::string& key) {
     asked.insert(key);
-    const auto place = value.find(key);
-    return place == value.end() ? nullptr : &*place;
+    const auto place = value->find(key);
+    return place == value->end() ? nullptr : &*place;
+  }
+
+  /// An object within this one, or an empty one.
+  std::shared_ptr<Implementation> child(const std::string& place, const json* object) const {
+    auto inner = std::make_shared<Implementation>();
+    inner->file = file;
+    inner->path = path + place + ".";
+    inner->document = object != nullptr ? document : std::make_shared<const json>(json::object());
+    inner->value = object != nullptr ? object : inner->document.get();
+    return inner;
+  }
+
+  /// The same place with another content.
+  std::shared_ptr<Implementation> with(json content) const {
+    auto other = std::make_shared<Implementation>();
+    other->file = file;
+    other->path = path;
+    other->document = std::make_shared<const json>(std::move(content));
+    other->value = other->document.get();
+    return other;
   }
 };
 
@@ -49,18 +70,18 @@ JsonReader::JsonReader(std::shared_ptr<Implementation> implementation)
 
 JsonReader JsonReader::file(const std::string& path) {
   const std::string text = read_text_file(path);
-  auto implementation = std::make_shared<Implementation>();
-  implementation->file = path;
+  const Implementation nothing{path, "", nullptr, nullptr, {}};
+  json content;
   try {
-    implementation->value = json::parse(text, unique_keys(path));
+    content = json::parse(text, unique_keys(path));
   } catch (const json::exception& error) {  // also a number too large for a double
     throw Error(ErrorKind::case_file, path, error.what(), "mend the JSON at this place");
   }
-  if (!implementation->value.is_object()) {
+  if (!content.is_object()) {
     throw Error(ErrorKind::case_file, path, "it is not a JSON object",
                 "start it with { as in docs/case-file.md");
   }
-  return JsonReader(implementation);
+  return JsonReader(nothing.with(std::move(content)));
 }
 
 std::string JsonReader::subject(const std::string& key) const {
@@ -73,20 +94,15 @@ void JsonReader::refuse(const std::string& key, const std::string& problem,
 }
 
 bool JsonReader::has(const std::string& key) const {
-  return implementation_->value.contains(key);
+  return implementation_->value->contains(key);
 }
 
 JsonReader JsonReader::object(const std::string& key) {
   const json* found = implementation_->find(key);
-  auto child = std::make_shared<Implementation>();
-  child->file = implementation_->file;
-  child->path = implementation_->path + key + ".";
-  child->value = json::object();
-  if (found != nullptr) {
-    if (!found->is_object()) refuse(key, "it is no object", "give an object { … }");
-    child->value = *found;
+  if (found != nullptr && !found->is_object()) {
+    refuse(key, "it is no object", "give an object { … }");
   }
-  return JsonReader(child);
+  return JsonReader(implementation_->child(key, found));
 }
 
 JsonReader JsonReader::required_object(const std::string& key) {
@@ -94,22 +110,47 @@ JsonReader JsonReader::required_object(const std::string& key) {
   return object(key);
 }
 
-std::vector<JsonReader> JsonReader::required_objects(const std::string& key) {
+std::vector<JsonReader> JsonReader::objects(const std::string& key) {
   const json* found = implementation_->find(key);
-  if (found == nullptr || !found->is_array() || found->empty()) {
-    refuse(key, "it is no list of objects", "give [{ … }, { … }]");
-  }
+  if (found == nullptr) return {};
+  if (!found->is_array()) refuse(key, "it is no list of objects", "give [{ … }, { … }]");
   std::vector<JsonReader> objects;
   for (std::size_t i = 0; i < found->size(); ++i) {
     const std::string place = key + "[" + std::to_string(i) + "]";
-    if (!(*found)[i].is_object()) refuse(place, "it is no object", "give an object { … }");
-    auto child = std::make_shared<Implementation>();
-    child->file = implementation_->file;
-    child->path = implementation_->path + place + ".";
-    child->value = (*found)[i];
-    objects.push_back(JsonReader(child));
+    const json& object = (*found)[i];
+    if (!object.is_object()) refuse(place, "it is no object", "give an object { … }");
+    objects.push_back(JsonReader(implementation_->child(place, &object)));
   }
   return objects;
+}
+
+namespace {
+
+/// A copy of `object` without the keys that lie below `prefix` at these paths; what is left out is
+/// not copied first.
+json copy_without(const json& object, const std::string& prefix,
+                  const std::vector<std::string>& paths) {
+  json copy = json::object();
+  for (const auto& [key, value] : object.items()) {
+    const std::string path = prefix + key;
+    if (std::find(paths.begin(), paths.end(), path) != paths.end()) continue;
+    copy[key] = value.is_object() ? copy_without(value, path + ".", paths) : value;
+  }
+  return copy;
+}
+
+}  // namespace
+
+JsonReader JsonReader::without(const std::vector<std::string>& paths) const {
+  return JsonReader(implementation_->with(copy_without(*implementation_->value, "", paths)));
+}
+
+JsonReader JsonReader::changed_by(const JsonReader& changes, const std::string& place) const {
+  json content = *implementation_->value;
+  content.merge_patch(*changes.implementation_->value);
+  auto changed = implementation_->with(std::move(content));
+  changed->path = place + ".";
+  return JsonReader(changed);
 }
 
 void JsonReader::read(const std::string& key, double& value) {
@@ -184,12 +225,12 @@ Eigen::Vector3d JsonReader::required_vector(const std::string& key) {
 
 std::vector<std::string> JsonReader::keys() const {
   std::vector<std::string> names;
-  for (const auto& [key, value] : implementation_->value.items()) names.push_back(key);
+  for (const auto& [key, value] : implementation_->value->items()) names.push_back(key);
   return names;
 }
 
 void JsonReader::finish() const {
-  for (const auto& [key, value] : implementation_->value.items()) {
+  for (const auto& [key, value] : implementation_->value->items()) {
     if (implementation_->asked.contains(key)) continue;
     std::string known;
     for (const std::string& name : implementation_->asked)

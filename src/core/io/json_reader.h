@@ -21,8 +21,15 @@ class JsonReader {
   JsonReader object(const std::string& key);
   /// These throw when the key is absent, and when a text is empty.
   JsonReader required_object(const std::string& key);
-  /// The objects of a list of at least one.
-  std::vector<JsonReader> required_objects(const std::string& key);
+  /// The objects of a list; none when it is absent.
+  std::vector<JsonReader> objects(const std::string& key);
+
+  /// A copy without some keys, each given by its path from here ("tissue.sliding_file").
+  JsonReader without(const std::vector<std::string>& paths) const;
+  /// A copy that is changed as `changes` say (JSON merge patch, RFC 7386: objects are merged key by
+  /// key, null removes a key, every other value takes the old one's place). `place`: how messages
+  /// about the copy name it ("history.steps[3]").
+  JsonReader changed_by(const JsonReader& changes, const std::string& place) const;
 
   void read(const std::string& key, double& value);
   void read(const std::string& key, std::string& value);

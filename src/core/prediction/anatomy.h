@@ -36,6 +36,9 @@ struct Anatomy {
   TriangleMesh bone;                  ///< before any cut
   std::vector<BoneSegment> segments;  ///< in the plan's order
   TriangleMesh remainder;             ///< bone that does not move
+  /// What each segment's cut left of the bone, but for the last one's: that is the remainder.
+  /// For another anatomy that has the first cuts in common; empty where none is made from this.
+  std::vector<std::shared_ptr<const TriangleMesh>> left_by_cut;
   Face face;
   std::string ct_sha256;  ///< of the file or folder that was read
 
@@ -55,8 +58,14 @@ struct KnownAnatomy {
   const Anatomy& anatomy;
 };
 
-/// Reads the CT and the photograph of a case, extracts the surfaces and cuts the segments. What the
-/// plan has in common with the known one's is taken from there: a new cut reads no CT.
+/// Reads the CT and the photograph of a case, extracts the surfaces and cuts the segments. Without
+/// segments the remainder is the bone.
+///
+/// What the plan has in common with the known one is taken from there, so that no step runs twice
+/// on the same input, and the result is that of a build from nothing, to the bit: the CT and its
+/// hash by its source; bone and skin by the CT and their options; the photograph by its file;
+/// segments and remainders up to the first cut that differs. Files count as the same by their
+/// paths: one that was changed on disk since is not read again. `known` may go once this returns.
 /// Throws Error of kind input or anatomy as the steps do, and Error(cancelled).
 Anatomy build_anatomy(const SurgicalCase& plan, Progress& progress,
                       const KnownAnatomy* known = nullptr);

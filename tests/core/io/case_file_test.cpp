@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+
 #include <Eigen/Geometry>
+#include <csignal>
+#include <random>
 
 #include "base/error.h"
 #include "support/expect_error.h"
@@ -163,7 +167,6 @@ TEST(CaseFile, RefusesSegmentsThatContradictEachOther) {
   const std::string head = R"({"gnathion_case": 1, "ct": {"path": "ct"}, )";
   const std::string box = R"("box": {"min": [0, 0, 0], "max": [1, 1, 1]}})";
   const std::vector<std::pair<std::string, std::string>> bad{
-      {R"("segments": [])", "segments"},
       {R"("segments": [3])", "segments[0]"},
       {R"("segments": [{)" + box + "]", "segments[0].name"},
       {R"("segments": [{"name": "a", )" + box + R"(, {"name": "a", )" + box + "]",
@@ -233,25 +236,158 @@ TEST(CaseFile, WhatIsNotGivenHasTheDefault) {
   expect_equal(read_case_file(file), plan);
 }
 
-TEST(CaseFile, RefusesToWriteATurnedBoxWhichItCannotSay) {
+TEST(CaseFile, MayHaveNoSegmentYet) {
+  const TemporaryFolder folder;
+  for (const char* none : {"", R"(, "segments": [])"}) {
+    const fs::path file = folder.write(
+        "case.json", R"({"gnathion_case": 1, "ct": {"path": "ct"})" + std::string(none) + "}");
+    EXPECT_TRUE(read_case_file(file).segments.empty());
+  }
+  SurgicalCase plan = full_case(folder.path());
+  plan.segments.clear();
+  write_case_file(plan, folder / "case.json");
+  EXPECT_EQ(read_case_file(folder / "case.json"), plan);
+}
+
+TEST(CaseFile, ATurnedBoxComesBackToTheBit) {
   const TemporaryFolder folder;
   SurgicalCase plan = full_case(folder.path());
-  std::get<BoxCut>(plan.segments[0].cut).axes =
-      Eigen::AngleAxisd(0.2, Vector3d::UnitX()).toRotationMatrix();
-  expect_error(ErrorKind::case_file, {"segment.box", "turned"},
-               [&] { write_case_file(plan, folder / "case.json"); });
-  EXPECT_FALSE(fs::exists(folder / "case.json"));
+  BoxCut box{{1. / 3, -280.7, 345.123456789},
+             Eigen::AngleAxisd(0.7, Vector3d(1, -2, 0.3).normalized()).toRotationMatrix(),
+             {10.1, 1. / 7, 30}};
+  plan.segments[0].cut = box;
+  write_case_file(plan, folder / "case.json");
+  EXPECT_EQ(read_case_file(folder / "case.json"), plan);
+  box.axes.col(2) *= -1;
+  plan.segments[0].cut = box;
+  write_case_file(plan, folder / "case.json");
+  const auto back = std::get<BoxCut>(read_case_file(folder / "case.json").segments[0].cut);
+  EXPECT_EQ(back.axes.col(2), Vector3d(-box.axes.col(2))) << "a mirrored box is the same box";
+}
+
+TEST(CaseFile, ABoxAlongThePatientsAxesIsWrittenByItsCornersWhereTheyGiveItBack) {
+  const TemporaryFolder folder;
+  SurgicalCase plan = full_case(folder.path());
+  write_case_file(plan, folder / "case.json");
+  EXPECT_NE(test::bytes_of(folder / "case.json").find("\"max\""), std::string::npos);
+  EXPECT_EQ(test::bytes_of(folder / "case.json").find("half_extents_mm"), std::string::npos);
+  int by_centre = 0;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-300, 300), half(0.01, 90);
+  for (int i = 0; i < 200; ++i) {
+    const auto vector = [&](auto& of) { return Vector3d(of(random), of(random), of(random)); };
+    plan.segments[0].cut = BoxCut{vector(place), Eigen::Matrix3d::Identity(), vector(half)};
+    write_case_file(plan, folder / "case.json");
+    EXPECT_EQ(read_case_file(folder / "case.json"), plan);
+    const std::string text = test::bytes_of(folder / "case.json");
+    EXPECT_EQ(text.find("\"axes\""), std::string::npos);
+    by_centre += text.find("half_extents_mm") != std::string::npos ? 1 : 0;
+  }
+  EXPECT_GT(by_centre, 0) << "or this test shows nothing of rounding";
+}
+
+TEST(CaseFile, ReadsATurnedBoxAsThreeDirectionsOfItsEdges) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("case.json", R"({"gnathion_case": 1, "ct": {"path": "ct"},
+        "segment": {"box": {"centre": [1, 2, 3], "half_extents_mm": [10, 20, 30],
+                            "axes": [[0, 1, 0], [0, 0, 1], [1, 0, 0]]}}})");
+  const auto box = std::get<BoxCut>(read_case_file(file).segments[0].cut);
+  EXPECT_EQ(Vector3d(box.axes.col(0)), Vector3d::UnitY());
+  EXPECT_EQ(Vector3d(box.axes.col(1)), Vector3d::UnitZ());
+  EXPECT_EQ(Vector3d(box.axes.col(2)), Vector3d::UnitX());
+  EXPECT_EQ(box.half_extents, Vector3d(10, 20, 30));
+}
+
+TEST(CaseFile, KeepsWhatSetsTheTwoSurfacesApart) {
+  const TemporaryFolder folder;
+  SurgicalCase plan = full_case(folder.path());
+  plan.skin.opening_radius_mm = 4.5;
+  plan.skin.closing_radius_mm = 0;
+  const LpsBox other{{-1, -2, -3}, {4, 5, 6}};
+  for (const bool bone_has_support : {false, true}) {
+    plan.bone.remove_support = bone_has_support;
+    for (const std::optional<LpsBox>& crop : {std::optional<LpsBox>(), std::optional(other)}) {
+      plan.bone.crop = crop;
+      write_case_file(plan, folder / "case.json");
+      EXPECT_EQ(read_case_file(folder / "case.json"), plan);
+      std::swap(plan.bone.crop, plan.skin.crop);
+      write_case_file(plan, folder / "case.json");
+      EXPECT_EQ(read_case_file(folder / "case.json"), plan);
+      std::swap(plan.bone.crop, plan.skin.crop);
+    }
+  }
+}
+
+TEST(CaseFile, KeepsListsOfVerticesInItselfInTheirOrder) {
+  const TemporaryFolder folder;
+  SurgicalCase plan = full_case(folder.path());
+  plan.region.vertices = {12, 13, 14, 500, 499, 7, 7, 0};
+  write_case_file(plan, folder / "case.json");
+  EXPECT_EQ(read_case_file(folder / "case.json"), plan);
+  EXPECT_NE(test::bytes_of(folder / "case.json").find("\"12-14 500 499 7 7 0\""),
+            std::string::npos);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1) << "one file";
 }
 
 TEST(CaseFile, SaysWhenItCannotBeWritten) {
   const TemporaryFolder folder;
   SurgicalCase plan = full_case(folder.path());
-  expect_error(ErrorKind::output, {"none"},
-               [&] { write_case_file(plan, folder / "none/case.json"); });
-  plan.region.vertices.clear();
-  plan.tissue.sliding_vertices.clear();
   expect_error(ErrorKind::output, {"none/case.json"},
                [&] { write_case_file(plan, folder / "none/case.json"); });
+  fs::create_directory(folder / "folder.json");
+  expect_error(ErrorKind::output, {"folder.json"},
+               [&] { write_case_file(plan, folder / "folder.json"); });
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1) << "nothing left behind";
+}
+
+/// As on a disk with room for a few bytes.
+class FewBytes {
+ public:
+  explicit FewBytes(rlim_t most) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit few{most, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &few);
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+  }
+  ~FewBytes() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FewBytes(const FewBytes&) = delete;
+  FewBytes& operator=(const FewBytes&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+TEST(CaseFile, AFullDiskLeavesTheOldFileAsItWas) {
+  const TemporaryFolder folder;
+  SurgicalCase plan = full_case(folder.path());
+  write_case_file(plan, folder / "case.json");
+  const std::string before = test::bytes_of(folder / "case.json");
+  plan.name = "another";
+  {
+    const FewBytes room(100);
+    expect_error(ErrorKind::output, {"case.json", "unchanged"},
+                 [&] { write_case_file(plan, folder / "case.json"); });
+  }
+  EXPECT_EQ(test::bytes_of(folder / "case.json"), before);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1) << "nothing left behind";
+}
+
+TEST(CaseFile, AReplacedFileKeepsItsRightsAndTheLinkThatLeadsToIt) {
+  const TemporaryFolder folder;
+  SurgicalCase plan = full_case(folder.path());
+  write_case_file(plan, folder / "case.json");
+  fs::permissions(folder / "case.json", fs::perms(0640));
+  fs::create_directory(folder / "elsewhere");
+  fs::create_symlink("../case.json", folder / "elsewhere/link.json");
+  plan.name = "another";
+  write_case_file(plan, folder / "elsewhere/link.json");
+  EXPECT_TRUE(fs::is_symlink(folder / "elsewhere/link.json"));
+  EXPECT_EQ(fs::status(folder / "case.json").permissions(), fs::perms(0640));
+  EXPECT_NE(test::bytes_of(folder / "case.json").find("another"), std::string::npos);
 }
 
 /// A section of a case file that is wrong, and the key that the message must name.
@@ -300,8 +436,11 @@ TEST(CaseFile, RefusesEveryUnknownKeyWithItsPath) {
            {"bone", R"({"HU": 3})", "bone.HU"},
            {"skin", R"({"smooth": 3})", "skin.smooth"},
            {"segment", R"({"box": {"min": [0,0,0], "max": [1,1,1]}, "kerf": 1})", "segment.kerf"},
-           {"segment", R"({"box": {"min": [0,0,0], "max": [1,1,1], "axes": 1}})",
-            "segment.box.axes"},
+           {"segment", R"({"box": {"min": [0,0,0], "max": [1,1,1], "turn": 1}})",
+            "segment.box.turn"},
+           {"segment",
+            R"({"box": {"centre": [0,0,0], "half_extents_mm": [1,1,1], "min": [0,0,0]}})",
+            "segment.box.min"},
            {"segment", plate + R"(, "kerf": 2}})", "segment.plate.kerf"},
            {"photograph", R"({"obj": "a", "mtl": "b"})", "photograph.mtl"},
            {"photograph", R"({"obj": "a", "transform": {"translation": [0,0,0]}})",
@@ -346,6 +485,8 @@ TEST(CaseFile, RefusesEveryWrongTypeWithItsPath) {
            {"region", "35", "region"},
            {"region", R"({"reach_mm": "35"})", "region.reach_mm"},
            {"region", R"({"vertices_file": [1, 2]})", "region.vertices_file"},
+           {"region", R"({"vertices": [1, 2]})", "region.vertices"},
+           {"history", "[]", "history"},
            {"tissue", R"({"generator": 1})", "tissue.generator"},
            {"tissue", R"({"load": false})", "tissue.load"},
            {"tissue", R"({"depth_mm": "8"})", "tissue.depth_mm"},
@@ -379,7 +520,18 @@ TEST(CaseFile, RefusesValuesOutOfRangeWithTheKeysPath) {
             "segment.plate.width_direction"},
            {"photograph", R"({"obj": "a", "transform": {"scale": 0}})",
             "photograph.transform.scale"},
+           {"skin", R"({"opening_radius_mm": -1})", "skin.opening_radius_mm"},
+           {"segment", R"({"box": {"centre": [0,0,0], "half_extents_mm": [1,0,1]}})",
+            "segment.box.half_extents_mm"},
            {"region", R"({"reach_mm": 0})", "region.reach_mm"},
+           {"region", R"({"vertices": "1 two"})", "region.vertices"},
+           {"region", R"({"vertices": "-3"})", "region.vertices"},
+           {"region", R"({"vertices": "9-3"})", "region.vertices"},
+           {"region", R"({"vertices": "1-2-3"})", "region.vertices"},
+           {"region", R"({"vertices": "0-2147483647"})", "region.vertices"},
+           {"region", R"({"vertices": ""})", "region.vertices"},
+           {"region", R"({"vertices": "1", "vertices_file": "region.txt"})", "region.vertices"},
+           {"tissue", R"({"sliding_vertices": "1 2147483648"})", "tissue.sliding_vertices"},
            {"tissue", R"({"generator": "tetgen"})", "tissue.generator"},
            {"tissue", R"({"load": "pressure"})", "tissue.load"},
            {"tissue", R"({"depth_mm": 0})", "tissue.depth_mm"},
@@ -404,6 +556,17 @@ TEST(CaseFile, RefusesATransformThatIsNoRotation) {
   }
 }
 
+TEST(CaseFile, RefusesAxesOfABoxThatAreNoRotation) {
+  for (const char* axes : {"[[1, 0, 0], [0, 1, 0], [0, 0, -1]]",  // a mirror
+                           "[[2, 0, 0], [0, 1, 0], [0, 0, 1]]",
+                           "[[1, 0.1, 0], [0, 1, 0], [0, 0, 1]]", "[[1, 0, 0], [0, 1, 0]]"}) {
+    expect_refused({"segment",
+                    R"({"box": {"centre": [0,0,0], "half_extents_mm": [1,1,1], "axes": )" +
+                        std::string(axes) + "}}",
+                    "segment.box.axes"});
+  }
+}
+
 TEST(CaseFile, RefusesBothCutsAndNone) {
   expect_refused(
       {"segment", R"({"box": {"min": [0,0,0], "max": [1,1,1]}, "plate": {}})", "segment.box"});
@@ -414,10 +577,18 @@ TEST(CaseFile, RefusesMissingKeysWithTheirPath) {
   expect_refused({"gnathion_case", "", "gnathion_case"});
   expect_refused({"ct", "", "ct"});
   expect_refused({"ct", "{}", "ct.path"});
-  expect_refused({"segment", "", "segment"});
+  expect_refused({"segment", R"({"box": {"centre": [0, 0, 0]}})", "segment.box.half_extents_mm"});
   expect_refused({"segment", R"({"box": {"min": [0, 0, 0]}})", "segment.box.max"});
   expect_refused({"segment", plate_start + R"("kerf_mm": 1}})", "segment.plate.width_direction"});
   expect_refused({"photograph", "{}", "photograph.obj"});
+}
+
+TEST(CaseFile, RefusesAMotionOfNothing) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write(
+      "case.json", R"({"gnathion_case": 1, "ct": {"path": "ct"}, "motion": {"up_mm": 1}})");
+  expect_error(ErrorKind::case_file, {"case.json: motion:", "no segment"},
+               [&] { read_case_file(file); });
 }
 
 TEST(CaseFile, RefusesEmptyNamesOfFiles) {

@@ -104,7 +104,7 @@ Eigen::Vector3d SurfaceBrush::place(const SurfacePoint& point) const {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
   for (int k = 0; k < 3; ++k) {
     place +=
-        point.barycentric[k] * face_.vertices.row(face_.triangles(point.triangle, k)).transpose();
+        point.weight[k] * face_.vertices.row(face_.triangles(point.triangle, k)).transpose();
   }
   return place;
 }

@@ -4,14 +4,9 @@
 #include <vector>
 
 #include "geometry/mesh_types.h"
+#include "geometry/surface_point.h"
 
 namespace gnathion {
-
-/// A point of a surface: a triangle and the weights of its three vertices, sum 1.
-struct SurfacePoint {
-  int triangle = -1;
-  Eigen::Vector3d barycentric = Eigen::Vector3d::Constant(1.0 / 3);
-};
 
 /// A vertex and how far it is along the surface, mm.
 struct ReachedVertex {

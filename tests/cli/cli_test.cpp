@@ -376,6 +376,36 @@ TEST_F(Cli, AWrongCaseFileIsCode3) {
   expect_failure(3, {"wrong.json", "line 1"}, {"check", "demo/wrong.json"});
 }
 
+TEST_F(Cli, ACaseWithoutSegmentsIsCheckedAndShownButMovesNothing) {
+  const std::string plan = changed_case("uncut.json", [](json& c) {
+    c.erase("segment");
+    c.erase("motion");
+  });
+  const CliRun check = run_cli(folder(), {"check", plan});
+  EXPECT_EQ(check.code, 0) << check.err;
+  EXPECT_NE(check.out.find("no segment yet"), std::string::npos);
+  EXPECT_EQ(run_cli(folder(), {"surfaces", plan, "uncut surfaces"}).code, 0);
+  for (const char* verb : {"segment", "region", "mesh", "predict", "settle"}) {
+    expect_failure(3, {"uncut.json: segments", "no segment"}, {verb, plan, "x"});
+  }
+}
+
+TEST_F(Cli, CheckReadsTheHistoryToo) {
+  const auto with_step = [](const char* hu) {
+    return changed_case("steps.json", [hu](json& c) {
+      c["history"] = {{"position", 1},
+                      {"steps",
+                       {{{"name", "Import"}, {"changes", {{"bone", {{"hu", json::parse(hu)}}}}}},
+                        {{"name", "Set the level"}}}}};
+    });
+  };
+  const CliRun check = run_cli(folder(), {"check", with_step("300")});
+  EXPECT_EQ(check.code, 0) << check.err;
+  EXPECT_NE(check.out.find("step 2 of 2: Set the level"), std::string::npos) << check.out;
+  expect_failure(3, {"steps.json: history.steps[0].changes.bone.hu"},
+                 {"check", with_step("\"high\"")});
+}
+
 TEST_F(Cli, ForceTransferRefusesARotationNamingTheKey) {
   const std::string plan = changed_case("force.json", [](json& c) {
     c["tissue"]["load"] = "force";

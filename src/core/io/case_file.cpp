@@ -133,19 +133,16 @@ json merge_patch_between(const json& from, const json& to) {
   return patch;
 }
 
-/// A list by how it differs from another, or whole where that is shorter.
+/// A list by how it differs from another, or whole where that names fewer vertices.
 json list_change_json(const std::vector<int>& from, const std::vector<int>& to) {
-  const std::string whole = vertex_text(to);
-  if (const std::optional<VertexChange> change = vertex_change(from, to)) {
-    const std::string added = vertex_text(change->added), removed = vertex_text(change->removed);
-    if (added.size() + removed.size() < whole.size()) {
-      json object = json::object();
-      if (!added.empty()) object["added"] = added;
-      if (!removed.empty()) object["removed"] = removed;
-      return object;
-    }
+  const std::optional<VertexChange> change = vertex_change(from, to);
+  if (!change || change->added.size() + change->removed.size() >= to.size()) {
+    return {{"vertices", vertex_text(to)}};
   }
-  return {{"vertices", whole}};
+  json object = json::object();
+  if (!change->added.empty()) object["added"] = vertex_text(change->added);
+  if (!change->removed.empty()) object["removed"] = vertex_text(change->removed);
+  return object;
 }
 
 struct PlanAndJson {

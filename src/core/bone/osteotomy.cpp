@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "bone/cut_box.h"
 #include "geometry/triangle_mesh.h"
 
 // All of CGAL's polygon mesh processing stays in this file: it takes minutes and gigabytes to
@@ -36,40 +37,7 @@ using Mesh = CGAL::Surface_mesh<Point>;
   throw Error(ErrorKind::anatomy, "segment", problem, remedy);
 }
 
-// --- the cut as a box ---------------------------------------------------------------------------
-
-BoxCut as_box(const BoxCut& cut) {
-  return cut;
-}
-
-BoxCut as_box(const PlateCut& cut) {
-  const Eigen::Vector3d normal = cut.normal.normalized();
-  const Eigen::Vector3d across = cut.in_plane - cut.in_plane.dot(normal) * normal;
-  if (!(cut.normal.norm() > 1e-9) || !(across.norm() > 1e-6 * cut.in_plane.norm())) {
-    refuse("the plate's normal or in-plane direction is zero, or both are parallel",
-           "give two directions at right angles");
-  }
-  BoxCut box;
-  box.centre = cut.centre;
-  box.axes.col(0) = across.normalized();
-  box.axes.col(1) = normal.cross(box.axes.col(0));
-  box.axes.col(2) = normal;
-  box.half_extents = Eigen::Vector3d(cut.half_width, cut.half_height, 0.5 * cut.kerf);
-  return box;
-}
-
-void check_box(const BoxCut& box) {
-  const bool orthonormal =
-      (box.axes.transpose() * box.axes - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-6;
-  if (!box.centre.allFinite() || !box.axes.allFinite() || !orthonormal) {
-    refuse("the cut's centre is not finite or its axes are not orthonormal",
-           "give unit axes at right angles");
-  }
-  if (!(box.half_extents.minCoeff() > 0) || !box.half_extents.allFinite()) {
-    refuse("the cut has no extent along one of its axes",
-           "give a positive width, height and depth (for a plate: kerf)");
-  }
-}
+// --- the cut as a surface ------------------------------------------------------------------------
 
 Mesh box_mesh(const BoxCut& box) {
   Mesh mesh;
@@ -426,7 +394,7 @@ std::size_t piece_at(const std::vector<Piece>& pieces, const Eigen::Vector3d& se
 
 SegmentResult saw_off(const TriangleMesh& bone, const PlateCut& plate, const CutOptions& options) {
   const std::string remedy = "enlarge the plate or move it so that it passes right through the jaw";
-  const BoxCut box = as_box(plate);
+  const BoxCut box = box_of(plate);
   Divided parts = divide(bone, box);
   if (parts.near.triangles.rows() == 0) refuse("the plate does not touch the bone", remedy);
   const CutMeshes cut = corefined(parts.near, box);
@@ -466,7 +434,7 @@ BoxCut box_between(const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
 SegmentResult cut_segment(const TriangleMesh& bone, const BoundedCut& cut,
                           const CutOptions& options, Progress& progress) {
   const auto stage = progress.stage("osteotomy");
-  check_box(std::visit([](const auto& c) { return as_box(c); }, cut));
+  box_of(cut);  // refuses what is no box
   closed_edges(bone);
   const double volume = signed_volume(bone);
   SegmentResult result = std::holds_alternative<BoxCut>(cut)

@@ -1,6 +1,7 @@
 #include "app/welcome_page.h"
 
 #include <QDir>
+#include <QEvent>
 #include <QFileInfo>
 #include <QLocale>
 #include <QMenu>
@@ -42,7 +43,7 @@ WelcomePage::WelcomePage(QWidget* parent)
   connect_buttons();
   connect_recent();
   connect_left_behind();
-  set_drop_welcome(false);
+  show_drop_frame();
   show_recent({});
   show_left_behind({});
 }
@@ -91,9 +92,7 @@ void WelcomePage::show_recent(const QStringList& files) {
     item->setData(problem_role, problem);
     item->setToolTip(problem.isEmpty() ? file : tr("%1: %2").arg(file, problem));
     // Greyed, yet to be chosen: it can still be forgotten.
-    if (!problem.isEmpty()) {
-      item->setForeground(palette().brush(QPalette::Disabled, QPalette::Text));
-    }
+    if (!problem.isEmpty()) item->setForeground(QColor(128, 134, 140));
   }
   if (list->count() > 0) list->setCurrentRow(0);
   fit_height(list, 5);
@@ -126,9 +125,21 @@ void WelcomePage::show_left_behind(const std::vector<LeftBehind>& cases) {
 }
 
 void WelcomePage::set_drop_welcome(bool welcome) {
+  drop_welcome_ = welcome;
+  show_drop_frame();
+}
+
+void WelcomePage::show_drop_frame() {
+  const QPalette::ColorRole role = drop_welcome_ ? QPalette::Highlight : QPalette::PlaceholderText;
   ui_->drop_label->setStyleSheet(
-      welcome ? "border: 2px dashed palette(highlight); border-radius: 8px; padding: 10px;"
-              : "border: 2px dashed palette(mid); border-radius: 8px; padding: 10px;");
+      QString("border: %1px dashed %2; border-radius: 8px; padding: 8px;")
+          .arg(drop_welcome_ ? 3 : 1)
+          .arg(palette().color(role).name()));
+}
+
+void WelcomePage::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) show_drop_frame();
+  QWidget::changeEvent(event);
 }
 
 }  // namespace gnathion

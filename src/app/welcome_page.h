@@ -40,13 +40,18 @@ class WelcomePage : public QWidget {
   void recover_wanted(const QString& key);
   void discard_wanted(const QString& key);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
+  void show_drop_frame();
   void connect_buttons();
   void connect_recent();
   void connect_left_behind();
   void update_buttons();
 
   std::unique_ptr<Ui::WelcomePage> ui_;
+  bool drop_welcome_ = false;
 };
 
 }  // namespace gnathion

@@ -14,6 +14,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
 
 namespace gnathion {
 namespace {
@@ -334,8 +335,37 @@ void FaceView::render_soon() {
   if (isVisible() && !render_timer_.isActive()) render_timer_.start(0);
 }
 
-Picture FaceView::picture() {
+/// In a frame of the window's own that is never shown.
+void FaceView::draw_larger(int scale, Picture& picture) {
+  vtkRenderWindow* window = canvas_->renderWindow();
+  const int width = window->GetSize()[0], height = window->GetSize()[1], dpi = window->GetDPI();
+  picture.width = scale * width;
+  picture.height = scale * height;
+  window->SetSize(picture.width, picture.height);
+  window->SetDPI(scale * dpi);  // words grow with the picture
+  window->Render();
+  vtkNew<vtkUnsignedCharArray> bytes;
+  constexpr int back_buffer = 0;
+  window->GetPixelData(0, 0, picture.width - 1, picture.height - 1, back_buffer, bytes, 0);
+  const auto row = static_cast<std::size_t>(3 * picture.width);
+  picture.rgb.resize(row * static_cast<std::size_t>(picture.height));
+  for (int y = 0; y < picture.height; ++y) {  // OpenGL's first row is the lowest
+    std::memcpy(&picture.rgb[row * static_cast<std::size_t>(y)],
+                bytes->GetPointer(0) + row * static_cast<std::size_t>(picture.height - 1 - y), row);
+  }
+  window->SetSize(width, height);
+  window->SetDPI(dpi);
+}
+
+Picture FaceView::picture(int scale) {
   handle_.set_visible(false);
+  if (scale > 1) {
+    Picture large;
+    draw_larger(scale, large);
+    update_handle();
+    canvas_->renderWindow()->Render();
+    return large;
+  }
   canvas_->renderWindow()->Render();
   const QImage image = canvas_->grabFramebuffer().convertToFormat(QImage::Format_RGB888);
   update_handle();

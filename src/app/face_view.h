@@ -49,6 +49,9 @@ class FaceView : public QWidget {
   void set_face_textured(bool textured);
   void set_bone_visible(bool visible);
   void set_colour_map_visible(bool visible);
+  bool is_colour_map_visible() const { return colour_map_; }
+  /// mm at the ends of the colour map; 0: a round number that fits what is shown.
+  void set_change_range(double half_range_mm);
   /// true: face and segments where they were before any motion, until it is switched off.
   void set_before_visible(bool visible);
 
@@ -61,8 +64,9 @@ class FaceView : public QWidget {
   /// Draws a frame when the event loop comes round: for whoever adds actors to renderer().
   void render_soon();
 
-  /// What is shown, without the grips, in the screen's own pixels.
-  Picture picture();
+  /// What is shown, without the grips, in the screen's own pixels or (scale 2, 3…) so many times as
+  /// many each way.
+  Picture picture(int scale = 1);
   vtkRenderer* renderer() const { return scene_.renderer(); }
   vtkRenderWindowInteractor* interactor() const;
   FaceScene& scene() { return scene_; }
@@ -75,6 +79,7 @@ class FaceView : public QWidget {
   /// translation: of the segment, mm, LPS, while the mouse moves.
   void segment_dragged(const Eigen::Vector3d& translation);
   void drag_ended();
+  void colour_map_switched(bool visible);
   /// After show_case(): whoever adds to the scene sets its parts up anew.
   void case_shown();
 
@@ -85,6 +90,7 @@ class FaceView : public QWidget {
   void set_up_camera_mouse();
   void set_quick(bool quick);
   bool is_film() const { return film_face_.rows() > 0; }
+  void draw_larger(int scale, Picture& picture);
   void show_points();
   void show_caption();
   void show_change();
@@ -107,6 +113,7 @@ class FaceView : public QWidget {
   bool bone_visible_ = true;
   bool change_outdated_ = true;
   bool colour_map_ = false;
+  double change_range_ = 0;
   bool before_ = false;
   bool dragging_ = false;
   ViewTool* tool_ = nullptr;

@@ -15,6 +15,7 @@
 #include "app/answer_words.h"
 #include "app/bone_panel.h"
 #include "app/compare_panel.h"
+#include "app/exports.h"
 #include "app/face_view.h"
 #include "app/motion_panel.h"
 #include "app/region_panel.h"
@@ -66,7 +67,12 @@ MainWindow::MainWindow(QWidget* parent)
   show_answer_words();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+  // While the view lives, which goes with the other widgets.
+  bone_panel_->set_active(false);
+  region_panel_->set_active(false);
+  compare_panel_->set_active(false);
+}
 
 FaceView& MainWindow::face_view() {
   return *ui_->face_view;
@@ -149,6 +155,13 @@ void MainWindow::connect_file_actions() {
   connect(&recent_, &RecentCases::changed, this, &MainWindow::show_recent);
   connect(ui_->export_action, &QAction::triggered, this, &MainWindow::ask_export);
   connect(ui_->picture_action, &QAction::triggered, this, &MainWindow::ask_picture);
+  exports_ = std::make_unique<Exports>(controller_, *ui_->face_view, this);
+  connect(ui_->bones_action, &QAction::triggered, exports_.get(), &Exports::ask_bones);
+  connect(ui_->turntable_action, &QAction::triggered, exports_.get(), &Exports::ask_turntable);
+  connect(exports_.get(), &Exports::failed, ui_->message_bar, &MessageBar::show_failure);
+  connect(exports_.get(), &Exports::exported, this, [this](const QString& words) {
+    ui_->message_bar->show_notice(tr("Exported"), words);
+  });
   connect(ui_->quit_action, &QAction::triggered, this, &QWidget::close);
   connect(ui_->about_action, &QAction::triggered, this, &MainWindow::show_about);
 }
@@ -229,6 +242,7 @@ void MainWindow::connect_view_actions() {
   connect(ui_->textured_action, &QAction::toggled, view, &FaceView::set_face_textured);
   connect(ui_->bone_action, &QAction::toggled, view, &FaceView::set_bone_visible);
   connect(ui_->colour_map_action, &QAction::toggled, view, &FaceView::set_colour_map_visible);
+  connect(view, &FaceView::colour_map_switched, ui_->colour_map_action, &QAction::setChecked);
   connect(ui_->before_action, &QAction::toggled, view, &FaceView::set_before_visible);
   connect_theme_actions(*ui_->system_theme_action, *ui_->light_theme_action,
                         *ui_->dark_theme_action);
@@ -307,7 +321,8 @@ void MainWindow::update_enabled() {
   const bool any = controller_.has_case();
   const bool working = controller_.is_working();
   for (QAction* action :
-       {ui_->export_action, ui_->picture_action, ui_->front_action, ui_->left_action,
+       {ui_->export_action, ui_->picture_action, ui_->bones_action, ui_->turntable_action,
+        ui_->front_action, ui_->left_action,
         ui_->right_action, ui_->three_quarter_action, ui_->top_action, ui_->reset_view_action,
         ui_->textured_action, ui_->bone_action, ui_->colour_map_action, ui_->before_action}) {
     action->setEnabled(any);
@@ -379,17 +394,20 @@ void MainWindow::ask_picture() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setOption(QFileDialog::DontUseNativeDialog);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setNameFilter(tr("Pictures (*.png)"));
+  const QString large = tr("Pictures with twice as many pixels each way (*.png)");
+  dialog->setNameFilters({tr("Pictures (*.png)"), large});
   dialog->setDefaultSuffix("png");
   dialog->setDirectory(QDir::homePath());
   dialog->selectFile("face.png");
-  connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::save_picture);
+  connect(dialog, &QFileDialog::fileSelected, this, [this, dialog, large](const QString& file) {
+    save_picture(file, dialog->selectedNameFilter() == large ? 2 : 1);
+  });
   dialog->open();
 }
 
-void MainWindow::save_picture(const QString& file) {
+void MainWindow::save_picture(const QString& file, int scale) {
   try {
-    write_png(ui_->face_view->picture(), path_of(file));
+    write_png(ui_->face_view->picture(scale), path_of(file));
     ui_->message_bar->show_notice(tr("Saved"), tr("The picture is %1").arg(file));
   } catch (const Error& error) {
     ui_->message_bar->show_failure(failure_of(error));

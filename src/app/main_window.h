@@ -24,6 +24,7 @@ namespace gnathion {
 
 class BonePanel;
 class ComparePanel;
+class Exports;
 class FaceView;
 class MotionPanel;
 class RegionPanel;
@@ -61,7 +62,7 @@ class MainWindow : public QMainWindow {
   void show_recent();
   void ask_export();
   void ask_picture();
-  void save_picture(const QString& file);
+  void save_picture(const QString& file, int scale);
   void show_about();
 
   void show_case();
@@ -96,6 +97,7 @@ class MainWindow : public QMainWindow {
   CaseSaver saver_;
   CaseOpener opener_;
   Recovery recovery_;
+  std::unique_ptr<Exports> exports_;
 };
 
 }  // namespace gnathion

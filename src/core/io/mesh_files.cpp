@@ -11,9 +11,11 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdint>
 #include <string>
 
 #include "base/error.h"
+#include "geometry/triangle_mesh.h"
 #include "io/files.h"
 
 namespace gnathion {
@@ -57,6 +59,24 @@ void write_ply(const TriangleMesh& mesh, const std::filesystem::path& path) {
   for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
     append(bytes, static_cast<unsigned char>(3));
     for (const int v : mesh.triangles.row(f)) append(bytes, v);
+  }
+  write_text_file(path, bytes);
+}
+
+void write_stl(const TriangleMesh& mesh, const std::string& what,
+               const std::filesystem::path& path) {
+  constexpr std::size_t header_bytes = 80;
+  // A header that begins with "solid" would be taken for a text STL.
+  std::string bytes = "Gnathion, unit mm, frame LPS (+x left, +y back, +z up): " + what;
+  bytes.resize(header_bytes, ' ');
+  append(bytes, static_cast<std::uint32_t>(mesh.triangles.rows()));
+  const Points normals = triangle_normals(mesh);
+  for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
+    for (const double x : normals.row(f)) append(bytes, static_cast<float>(x));
+    for (const int v : mesh.triangles.row(f)) {
+      for (const double x : mesh.vertices.row(v)) append(bytes, static_cast<float>(x));
+    }
+    append(bytes, static_cast<std::uint16_t>(0));
   }
   write_text_file(path, bytes);
 }

@@ -82,7 +82,7 @@ std::vector<bool> marked_sliding(const TissueModel& model, const TissueProblem& 
   std::vector<bool> marked(static_cast<std::size_t>(problem.tissue.surface_count), false);
   for (const int v : model.sliding_vertices) {
     if (v < 0 || v >= problem.surface_map.rows()) {
-      throw Error(ErrorKind::case_file, "tissue.sliding_file",
+      throw Error(ErrorKind::case_file, "tissue.sliding_vertices",
                   "vertex " + std::to_string(v) + " is not one of the face's " +
                       std::to_string(problem.surface_map.rows()),
                   "give vertex numbers of the face, from 0");
@@ -108,7 +108,7 @@ std::vector<bool> sliding_vertices(const Anatomy& anatomy, const TissueModel& mo
   if (crowns.piece_count == 0 && model.sliding_vertices.empty()) {
     progress.notice(
         "no teeth as dense as enamel or metal are in the CT, so no tissue slides on teeth; mark it "
-        "with tissue.sliding_file where it should");
+        "with tissue.sliding_vertices where it should");
   }
   const SoftTissueMesh& tissue = problem.tissue;
   const std::vector<BoneCover> cover = bone_cover(

@@ -269,6 +269,34 @@ TEST(CaseHistory, ABrokenOneIsRefusedNamingTheStepAndThePlanIsStillRead) {
   }
 }
 
+TEST(CaseHistory, OfADamagedFileIsReadOrRefusedWithTheFilesName) {
+  const TemporaryFolder folder;
+  RandomPlans plans(folder.path());
+  PlanHistory history("Open", plans.next());
+  for (int i = 0; i < 12; ++i) history.push("Step", plans.next());
+  history.undo();
+  write_case_history(history, folder / "case.json");
+  const std::string good = bytes_of(folder / "case.json");
+  std::mt19937 random(8);
+  const std::string marks = "0-9 \"{}[],.:en";
+  int refused = 0;
+  for (int round = 0; round < 400; ++round) {
+    std::string bad = good;
+    for (auto n = random() % 3 + 1; n > 0; --n) {
+      bad[random() % bad.size()] = marks[random() % marks.size()];
+    }
+    if (round % 10 == 0) bad.resize(random() % bad.size() + 1);  // a copy that broke off
+    const fs::path file = folder.write("bad.json", bad);
+    try {
+      read_case_history(file);
+    } catch (const Error& error) {
+      ++refused;
+      EXPECT_NE(std::string(error.what()).find("bad.json"), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_GT(refused, 100);
+}
+
 TEST(CaseHistory, TellsOnlyHowStepsDiffer) {
   const TemporaryFolder folder;
   write_case_history(three_steps(folder.path()), folder / "case.json");

@@ -242,7 +242,7 @@ TEST(TissueProblem, RefusesToSlideBelowVerticesThatAreNotOfTheFace) {
   TissueModel model;
   model.sliding_vertices = {3, 1000000};
   Progress progress;
-  expect_error(ErrorKind::case_file, {"tissue.sliding_file", "1000000"},
+  expect_error(ErrorKind::case_file, {"tissue.sliding_vertices", "1000000"},
                [&] { build_tissue(test::head_scene(), reach_of_40, model, progress); });
 }
 

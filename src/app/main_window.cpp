@@ -11,15 +11,18 @@
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "app/answer_words.h"
 #include "app/bone_panel.h"
 #include "app/compare_panel.h"
 #include "app/exports.h"
+#include "app/camera_mouse.h"
 #include "app/face_view.h"
 #include "app/motion_panel.h"
 #include "app/region_panel.h"
 #include "app/theme.h"
+#include "app/view_grid.h"
 #include "base/error.h"
 #include "render/picture.h"
 #include "ui_main_window.h"
@@ -59,6 +62,7 @@ MainWindow::MainWindow(QWidget* parent)
   connect_welcome_page();
   connect_edit_actions();
   connect_view_actions();
+  connect_grid_actions();
   connect_motion();
   connect_refinement();
   connect_player();
@@ -85,6 +89,7 @@ void MainWindow::add_steps() {
   region_panel_ = new RegionPanel(controller_, *ui_->face_view, this);
   compare_panel_ = new ComparePanel(controller_, *ui_->face_view, this);
   ui_->steps->insertTab(0, bone_panel_, tr("&Bone"));
+  connect(bone_panel_, &BonePanel::failed, ui_->message_bar, &MessageBar::show_failure);
   ui_->steps->insertTab(1, region_panel_, tr("&Region"));
   ui_->steps->addTab(compare_panel_, tr("&Compare"));
   ui_->steps->setCurrentIndex(ui_->steps->indexOf(ui_->motion_page));
@@ -250,6 +255,37 @@ void MainWindow::connect_view_actions() {
           [view](int percent) { view->set_face_opacity(percent / 100.0); });
 }
 
+void MainWindow::connect_grid_actions() {
+  ViewGrid* grid = ui_->view_grid;
+  grid->set_up(controller_, *ui_->face_view);
+  connect(ui_->reset_view_action, &QAction::triggered, grid, &ViewGrid::fit_slices);
+  connect(ui_->slices_action, &QAction::toggled, grid, &ViewGrid::set_slices_visible);
+  connect(ui_->outlines_action, &QAction::toggled, grid, &ViewGrid::set_outlines_visible);
+  connect(grid, &ViewGrid::outlines_toggled, ui_->outlines_action, &QAction::setChecked);
+  connect(ui_->maximise_action, &QAction::triggered, grid, &ViewGrid::toggle_maximised);
+  connect(grid, &ViewGrid::maximised_changed, ui_->maximise_action, &QAction::setChecked);
+  const std::pair<QAction*, HuWindow> windows[] = {
+      {ui_->bone_window_action, bone_window},
+      {ui_->soft_tissue_window_action, soft_tissue_window},
+      {ui_->skin_window_action, skin_window}};
+  for (const auto& [action, window] : windows) {
+    connect(action, &QAction::triggered, grid,
+            [grid, window = window] { grid->set_hu_window(window); });
+  }
+  connect(ui_->zoom_in_action, &QAction::triggered, grid, [grid] { grid->zoom(1.25); });
+  connect(ui_->zoom_out_action, &QAction::triggered, grid, [grid] { grid->zoom(1 / 1.25); });
+  constexpr double turn_deg = 15;
+  const std::tuple<QAction*, double, double> turns[] = {{ui_->turn_left_action, -turn_deg, 0},
+                                                        {ui_->turn_right_action, turn_deg, 0},
+                                                        {ui_->turn_up_action, 0, turn_deg},
+                                                        {ui_->turn_down_action, 0, -turn_deg}};
+  CameraMouse* camera = &ui_->face_view->camera_mouse();
+  for (const auto& [action, right, up] : turns) {
+    connect(action, &QAction::triggered, camera,
+            [camera, right = right, up = up] { camera->turn(right, up); });
+  }
+}
+
 void MainWindow::connect_motion() {
   connect(panel_, &MotionPanel::motion_edited, this,
           [this](const JawMotion& motion) { controller_.set_motion(motion); });
@@ -324,7 +360,11 @@ void MainWindow::update_enabled() {
        {ui_->export_action, ui_->picture_action, ui_->bones_action, ui_->turntable_action,
         ui_->front_action, ui_->left_action,
         ui_->right_action, ui_->three_quarter_action, ui_->top_action, ui_->reset_view_action,
-        ui_->textured_action, ui_->bone_action, ui_->colour_map_action, ui_->before_action}) {
+        ui_->textured_action, ui_->bone_action, ui_->colour_map_action, ui_->before_action,
+        ui_->turn_left_action, ui_->turn_right_action, ui_->turn_up_action, ui_->turn_down_action,
+        ui_->zoom_in_action, ui_->zoom_out_action, ui_->maximise_action, ui_->slices_action,
+        ui_->outlines_action, ui_->bone_window_action, ui_->soft_tissue_window_action,
+        ui_->skin_window_action}) {
     action->setEnabled(any);
   }
   ui_->export_action->setEnabled(controller_.has_model() && !controller_.is_exporting());

@@ -53,6 +53,7 @@ class MainWindow : public QMainWindow {
   void connect_welcome_page();
   void connect_edit_actions();
   void connect_view_actions();
+  void connect_grid_actions();
   void connect_motion();
   void connect_refinement();
   void connect_player();

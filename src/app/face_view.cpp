@@ -6,28 +6,17 @@
 #include <cstring>
 
 #include <QVTKOpenGLNativeWidget.h>
-#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkNew.h>
-#include <vtkObjectFactory.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
+
+#include "app/camera_mouse.h"
 #include <vtkUnsignedCharArray.h>
 
 namespace gnathion {
 namespace {
-
-/// The camera by the mouse alone: VTK's own letters would end the program, draw wire frames or
-/// switch to stereo.
-class CameraByMouse : public vtkInteractorStyleTrackballCamera {
- public:
-  static CameraByMouse* New();
-  vtkTypeMacro(CameraByMouse, vtkInteractorStyleTrackballCamera);
-  void OnChar() override {}
-};
-vtkStandardNewMacro(CameraByMouse);
 
 /// 20 mm before the skin, in the height of the segment's most forward part.
 Eigen::Vector3d handle_home(const LoadedCase& loaded, const BoneSegment& segment) {
@@ -92,17 +81,12 @@ QWidget* FaceView::canvas() const {
 }
 
 void FaceView::set_up_camera_mouse() {
-  vtkNew<CameraByMouse> style;
-  vtkNew<vtkCallbackCommand> turning;
-  turning->SetClientData(this);
-  turning->SetCallback([](vtkObject*, unsigned long event, void* self, void*) {
-    auto* view = static_cast<FaceView*>(self);
-    view->set_quick(event == vtkCommand::StartInteractionEvent);
-    if (event == vtkCommand::EndInteractionEvent) view->render_soon();
+  camera_mouse_ = new CameraMouse(interactor(), scene_.renderer(), this);
+  connect(camera_mouse_, &CameraMouse::moving, this, [this](bool moves) {
+    set_quick(moves);
+    if (!moves) render_soon();
   });
-  style->AddObserver(vtkCommand::StartInteractionEvent, turning);
-  style->AddObserver(vtkCommand::EndInteractionEvent, turning);
-  canvas_->renderWindow()->GetInteractor()->SetInteractorStyle(style);
+  connect(camera_mouse_, &CameraMouse::moved, this, &FaceView::render_soon);
 }
 
 vtkRenderWindowInteractor* FaceView::interactor() const {

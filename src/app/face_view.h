@@ -13,11 +13,12 @@
 #include "render/segment_handle.h"
 
 class QVTKOpenGLNativeWidget;
-class vtkObject;
 class vtkRenderWindowInteractor;
 class vtkRenderer;
 
 namespace gnathion {
+
+class CameraMouse;
 
 /// The 3D view: textured face, skull, the segments in their poses, and the grips that move one. It
 /// shows what it is given and reports what the mouse does; it holds no model.
@@ -45,6 +46,8 @@ class FaceView : public QWidget {
   void mark_change_outdated();
 
   void look_from(CameraPreset view);
+  /// For turning and zooming other than by the mouse.
+  CameraMouse& camera_mouse() { return *camera_mouse_; }
   void set_face_opacity(double opacity);
   void set_face_textured(bool textured);
   void set_bone_visible(bool visible);
@@ -98,6 +101,7 @@ class FaceView : public QWidget {
   double aspect_ratio() const;
 
   QVTKOpenGLNativeWidget* canvas_;
+  CameraMouse* camera_mouse_ = nullptr;
   FaceScene scene_;
   SegmentHandle handle_;
   QTimer render_timer_;  ///< many changes in one turn of the event loop: one frame

@@ -78,6 +78,7 @@ Recovery::Recovery(CaseController& controller, QString root, QObject* parent)
     drop();
     if (recovered_) discard(std::exchange(recovering_, QString()));  // the user gave it up
     recovered_ = !recovering_.isEmpty();
+    if (!recovered_) remind();
   });
   connect(&controller_, &CaseController::history_changed, this, &Recovery::consider);
   // Another opening takes the place of the recovery, which then stays to be offered.
@@ -141,6 +142,14 @@ void Recovery::discard(const QString& key) {
                                     [&key](const LeftBehind& found) { return found.key == key; }),
                      left_behind_.end());
   emit left_behind_changed();
+}
+
+/// A window that was started on a case has shown no welcome page.
+void Recovery::remind() {
+  if (left_behind_.empty() || std::exchange(reminded_, true)) return;
+  emit noticed(
+      tr("A case that was not saved was kept when Gnathion ended unexpectedly. Start Gnathion "
+         "without a case to recover or to discard it."));
 }
 
 bool Recovery::is_kept() const {

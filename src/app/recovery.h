@@ -53,6 +53,7 @@ class Recovery : public QObject {
 
  private:
   void find_left_behind();
+  void remind();
   void consider();
   void keep();
   void drop();
@@ -69,6 +70,7 @@ class Recovery : public QObject {
   std::shared_ptr<const SurgicalCase> kept_plan_;
   int copies_ = 0;  ///< so far: each has a number of its own
   bool complained_ = false;
+  bool reminded_ = false;
   QElapsedTimer since_copy_;
   QTimer timer_;
   BackgroundTask keeping_;

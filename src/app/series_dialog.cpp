@@ -1,6 +1,7 @@
 #include "app/series_dialog.h"
 
 #include <QFile>
+#include <QHeaderView>
 #include <QPushButton>
 #include <array>
 
@@ -38,6 +39,10 @@ SeriesDialog::SeriesDialog(const std::filesystem::path& folder, QWidget* parent)
   import->setEnabled(false);
   ui_->series_buttons->button(QDialogButtonBox::Cancel)->setObjectName("series_cancel_button");
   ui_->show_descriptions_box->setEnabled(false);
+  QHeaderView* header = ui_->series_table->horizontalHeader();
+  header->setSectionResizeMode(QHeaderView::ResizeToContents);
+  header->setSectionResizeMode(use, QHeaderView::Stretch);
+  header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   connect(ui_->series_buttons, &QDialogButtonBox::accepted, this, &SeriesDialog::choose);
   connect(ui_->series_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(ui_->series_table, &QTableWidget::itemActivated, this, &SeriesDialog::choose);
@@ -70,7 +75,6 @@ void SeriesDialog::list(std::vector<SeriesSummary> series) {
     if (usable++ == 0) first_usable = row;
   }
   show_descriptions(false);
-  table->resizeColumnsToContents();
   ui_->show_descriptions_box->setEnabled(described);
   ui_->series_stage->setText(
       usable == 0 ? tr("None of these can be imported. Choose a folder with a CT of the head.")
@@ -103,7 +107,6 @@ void SeriesDialog::show_descriptions(bool shown) {
     ui_->series_table->item(row, description)
         ->setText(shown || text.isEmpty() ? text : tr("(hidden)"));
   }
-  ui_->series_table->resizeColumnToContents(description);
 }
 
 const SeriesSummary* SeriesDialog::chosen() const {

@@ -51,7 +51,7 @@ QPalette light_palette() {
 }
 
 QPalette dark_palette() {
-  return palette_of("#2b2f33", "#1f2225", "#3a4046", "#e8eaec", "#8b939b", "#2f7fc4", "#7db8ea");
+  return palette_of("#363b41", "#1d2023", "#464d54", "#e8eaec", "#8b939b", "#2f7fc4", "#7db8ea");
 }
 
 void apply(Theme theme) {

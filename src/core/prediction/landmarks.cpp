@@ -52,7 +52,10 @@ std::map<std::string, LandmarkResponse> FaceLandmarks::responses(
       const Eigen::Vector3d u = (points.row(anchor.vertex[k]) - anchor.rest.row(k)).transpose();
       response.displacement += anchor.weight[k] * u;
     }
-    const Eigen::Vector3d bone = motions[anchor.segment](anchor.point) - anchor.point;
+    // Without segments no bone moves.
+    const Eigen::Vector3d bone = motions.empty()
+                                     ? Eigen::Vector3d::Zero().eval()
+                                     : motions[anchor.segment](anchor.point) - anchor.point;
     response.bone_mm = bone.norm();
     if (response.bone_mm > 0) {
       response.ratio = response.displacement.dot(bone) / bone.squaredNorm();

@@ -223,14 +223,20 @@ void FaceView::end_film() {
   show_change();
 }
 
+const Points& FaceView::face_points() const {
+  if (before_ || response_.face.rows() != rest_.rows()) return rest_;
+  return is_film() ? film_face_ : response_.face;
+}
+
 void FaceView::show_points() {
   if (!scene_.has_face() || response_.face.rows() != rest_.rows()) return;
-  scene_.set_face_points(before_ ? rest_ : is_film() ? film_face_ : response_.face);
+  scene_.set_face_points(face_points());
   for (std::size_t s = 0; s < segments_.size(); ++s) {
     scene_.set_bone_pose(segments_[s], before_ ? RigidMotion{} : response_.poses[s]);
   }
   update_handle();
   show_caption();
+  emit face_points_changed();
   if (!dragging_) render_soon();
 }
 

@@ -73,6 +73,8 @@ class FaceView : public QWidget {
   vtkRenderer* renderer() const { return scene_.renderer(); }
   vtkRenderWindowInteractor* interactor() const;
   FaceScene& scene() { return scene_; }
+  /// The face as it is shown: at rest, moved, or a frame of a film. n×3, mm, LPS.
+  const Points& face_points() const;
   /// The words in the picture's corner.
   const QString& caption() const { return shown_caption_; }
   /// The widget that receives the mouse.
@@ -85,6 +87,7 @@ class FaceView : public QWidget {
   void colour_map_switched(bool visible);
   /// After show_case(): whoever adds to the scene sets its parts up anew.
   void case_shown();
+  void face_points_changed();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

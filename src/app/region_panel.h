@@ -3,6 +3,12 @@
 #include <QWidget>
 #include <memory>
 
+#include "app/region_brush_tool.h"
+#include "app/region_editor.h"
+#include "render/region_overlay.h"
+
+class QShortcut;
+
 namespace Ui {
 class RegionPanel;
 }
@@ -24,10 +30,31 @@ class RegionPanel : public QWidget {
   /// meanwhile only.
   void set_active(bool active);
 
+  const RegionEditor& editor() const { return editor_; }
+
  private:
+  void connect_brush();
+  void connect_changes();
+  void connect_model();
+  void set_mode(BrushMode mode);
+  void take_plan();
+  void show_outline();
+  void show_state();
+  void show_supports();
+  void show_points();
+  void update_enabled();
+  bool is_model_current() const;
+
   std::unique_ptr<Ui::RegionPanel> ui_;
   CaseController& controller_;
   FaceView& view_;
+  RegionEditor editor_;
+  RegionOverlay overlay_;
+  RegionBrushTool tool_;
+  const SurfaceBrush* shown_face_ = nullptr;  ///< whose face the overlay has
+  bool active_ = false;
+  BrushMode mode_ = BrushMode::off;
+  std::vector<QShortcut*> shortcuts_;
 };
 
 }  // namespace gnathion

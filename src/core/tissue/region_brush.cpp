@@ -100,15 +100,6 @@ double SurfaceBrush::area_of(int vertex) const {
   return area;
 }
 
-Eigen::Vector3d SurfaceBrush::place(const SurfacePoint& point) const {
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();
-  for (int k = 0; k < 3; ++k) {
-    place +=
-        point.weight[k] * face_.vertices.row(face_.triangles(point.triangle, k)).transpose();
-  }
-  return place;
-}
-
 /// The distance of c when those of a and b are known, in the plane of the triangle: a at the
 /// origin, b at (length, 0), c at (x, y). Infinite when the way to c does not cross the edge a b.
 double SurfaceBrush::through_triangle(int a, int b, int c, Shape shape) const {
@@ -179,7 +170,7 @@ void SurfaceBrush::forget() const {
 }
 
 std::vector<SurfaceBrush::Start> SurfaceBrush::starts_at(const SurfacePoint& centre) const {
-  const Eigen::RowVector3d middle = place(centre).transpose();
+  const Eigen::RowVector3d middle = centre.position(face_.triangles, face_.vertices).transpose();
   std::vector<Start> starts;
   for (const int v : face_.triangles.row(centre.triangle)) {
     starts.push_back({v, (face_.vertices.row(v) - middle).norm()});

@@ -50,9 +50,6 @@ class SurfaceBrush {
   /// A third of the area of the vertex's triangles, mm².
   double area_of(int vertex) const;
 
-  /// LPS mm.
-  Eigen::Vector3d place(const SurfacePoint& point) const;
-
   /// The vertices at most `radius` mm from a point along the surface; at least the
   /// nearest corner of the point's triangle, so that the smallest brush paints something.
   std::vector<ReachedVertex> disc(const SurfacePoint& centre, double radius) const;

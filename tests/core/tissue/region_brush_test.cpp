@@ -41,7 +41,7 @@ TEST(SurfaceBrush, DistancesOnFlatSkinAreExact) {
   const Eigen::Vector3d middle = mesh.vertices.colwise().mean().transpose();
   const SurfaceBrush brush(mesh);
   const SurfacePoint centre = seen(mesh, middle + Eigen::Vector3d(0.3, 0.2, 50), middle);
-  const Eigen::Vector3d x = brush.place(centre);
+  const Eigen::Vector3d x = centre.position(brush.face().triangles, brush.face().vertices);
   const double radius = 15;
   std::map<int, double> reached;
   for (const ReachedVertex& r : brush.disc(centre, radius)) reached[r.vertex] = r.distance;
@@ -67,7 +67,8 @@ TEST(SurfaceBrush, DistancesOnABallAreArcs) {
   const TriangleMesh ball = test::sphere({0, 0, 0}, R, 5);
   const SurfaceBrush brush(ball);
   const SurfacePoint centre = seen(ball, {200, 30, 10}, {0, 0, 0});
-  const Eigen::Vector3d x = brush.place(centre).normalized();
+  const Eigen::Vector3d x =
+      centre.position(brush.face().triangles, brush.face().vertices).normalized();
   double worst = 0;
   const auto disc = brush.disc(centre, 40);
   for (const ReachedVertex& r : disc) {
@@ -113,7 +114,10 @@ TEST(SurfaceBrush, CircleIsWhereTheRadiusIs) {
     for (std::size_t i = 0; i < 2; ++i) {
       at[i] = (1 - ends[i].share) * mesh.vertices.row(ends[i].a) +
               ends[i].share * mesh.vertices.row(ends[i].b);
-      EXPECT_NEAR((at[i].transpose() - brush.place(centre)).norm(), radius, 0.15);
+      EXPECT_NEAR(
+          (at[i].transpose() - centre.position(brush.face().triangles, brush.face().vertices))
+              .norm(),
+          radius, 0.15);
     }
     length += (at[0] - at[1]).norm();
   }

@@ -331,6 +331,7 @@ struct FaceScene::Impl {
     std::unique_ptr<ShownSurface> fine;
     std::unique_ptr<ShownSurface> coarse;  // null: none was given
     bool visible = true;
+    bool drawn = true;  // here, not by another part of the scene
 
     std::vector<vtkActor*> actors() const {
       if (coarse) return {fine->actor, coarse->actor};
@@ -485,8 +486,9 @@ struct FaceScene::Impl {
 
   void apply_visibility(Bone& bone) {
     const bool show_coarse = coarse && bone.coarse;
-    bone.fine->actor->SetVisibility(bone.visible && !show_coarse);
-    if (bone.coarse) bone.coarse->actor->SetVisibility(bone.visible && show_coarse);
+    const bool shown = bone.visible && bone.drawn;
+    bone.fine->actor->SetVisibility(shown && !show_coarse);
+    if (bone.coarse) bone.coarse->actor->SetVisibility(shown && show_coarse);
   }
 
   static void apply_pose(Bone& bone) {
@@ -644,6 +646,13 @@ void FaceScene::set_bone_visible(const std::string& name, bool visible) {
 bool FaceScene::is_bone_visible(const std::string& name) const {
   const Impl::Bone* bone = impl_->find_bone(name);
   return bone != nullptr && bone->visible;
+}
+
+void FaceScene::set_bone_drawn(const std::string& name, bool drawn) {
+  if (Impl::Bone* bone = impl_->find_bone(name)) {
+    bone->drawn = drawn;
+    impl_->apply_visibility(*bone);
+  }
 }
 
 void FaceScene::set_coarse(bool coarse) {

@@ -83,6 +83,9 @@ class FaceScene {
   /// Names that the scene does not have are ignored, so that a view can be set before a case is.
   void set_bone_pose(const std::string& name, const RigidMotion& pose);
   void set_bone_visible(const std::string& name, bool visible);
+  /// false: another part of the scene shows this bone. The camera is still placed as if it were
+  /// drawn here.
+  void set_bone_drawn(const std::string& name, bool drawn);
   bool is_bone_visible(const std::string& name) const;
   /// true: bones that have coarse triangles, and a face of many, are drawn with fewer. Switch it on
   /// while a segment is dragged or the camera turns, off at rest.

@@ -256,6 +256,9 @@ void BonePanel::remove_segment() {
 void BonePanel::show_cut() {
   const bool open = editor_.is_open();
   ui_->cut_group->setVisible(open);
+  // One thing at a time, so that all of it is seen in a low window.
+  ui_->segments_group->setVisible(!open);
+  ui_->new_cut_group->setVisible(!open);
   if (open) {
     const bool blade = editor_.is_blade();
     ui_->cut_name_edit->setText(editor_.name());

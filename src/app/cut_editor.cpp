@@ -137,9 +137,9 @@ void CutEditor::open(const Begun& begun) {
                                      : free_name(begun.first.name);
   layer_.set_bone(previewer_->bone(), begun.coarse);
   layer_.attach(view_.renderer());
-  view_.scene().set_bone_visible("skull", false);
+  view_.scene().set_bone_drawn("skull", false);
   for (std::size_t s = segment_; s < segments.size(); ++s) {
-    view_.scene().set_bone_visible("segment " + segments[s].name, false);
+    view_.scene().set_bone_drawn("segment " + segments[s].name, false);
   }
   view_.set_tool(&camera_only_);
   handle_.attach(view_.interactor(), view_.renderer());
@@ -154,9 +154,9 @@ void CutEditor::close() {
   handle_.detach();
   layer_.detach();
   if (view_.tool() == &camera_only_) view_.set_tool(nullptr);
-  view_.scene().set_bone_visible("skull", true);
+  view_.scene().set_bone_drawn("skull", true);
   for (const PlannedSegment& segment : controller_.loaded().plan.segments) {
-    view_.scene().set_bone_visible("segment " + segment.name, true);
+    view_.scene().set_bone_drawn("segment " + segment.name, true);
   }
   view_.render_soon();
   emit closed();

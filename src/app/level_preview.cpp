@@ -14,10 +14,7 @@ constexpr const char* bone_name = "bone at another level";
 LevelPreview::LevelPreview(CaseController& controller, FaceView& view, QObject* parent)
     : QObject(parent), controller_(controller), view_(view) {
   connect(&contouring_, &BackgroundTask::failed, this, &LevelPreview::failed);
-  connect(&view_, &FaceView::case_shown, this, [this] {
-    contouring_.cancel();
-    shown_ = false;
-  });
+  connect(&view_, &FaceView::case_shown, this, &LevelPreview::hide);
 }
 
 void LevelPreview::show(double hu) {
@@ -42,7 +39,7 @@ void LevelPreview::show(double hu) {
 
 void LevelPreview::show(const TriangleMesh& bone, double hu) {
   view_.scene().set_bone(bone_name, bone, skull_look);
-  set_bones_visible(false);
+  set_bones_drawn(false);
   shown_ = true;
   view_.render_soon();
   emit shown(hu);
@@ -53,13 +50,13 @@ void LevelPreview::hide() {
   if (!shown_) return;
   shown_ = false;
   view_.scene().remove_bone(bone_name);
-  set_bones_visible(true);
+  set_bones_drawn(true);
   view_.render_soon();
 }
 
-void LevelPreview::set_bones_visible(bool visible) {
+void LevelPreview::set_bones_drawn(bool drawn) {
   for (const std::string& name : view_.scene().bone_names()) {
-    if (name != bone_name) view_.scene().set_bone_visible(name, visible);
+    if (name != bone_name) view_.scene().set_bone_drawn(name, drawn);
   }
 }
 

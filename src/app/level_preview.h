@@ -32,7 +32,7 @@ class LevelPreview : public QObject {
 
  private:
   void show(const TriangleMesh& bone, double hu);
-  void set_bones_visible(bool visible);
+  void set_bones_drawn(bool drawn);
 
   CaseController& controller_;
   FaceView& view_;

@@ -145,7 +145,6 @@ struct CutHandle::Impl {
     show(sides, cube);
     show(edges, outline);
     show(line_actor, line);
-    sides->GetProperty()->SetOpacity(0.28);
     sides->GetProperty()->SetAmbient(0.5);
     sides->ForceTranslucentOn();
     for (vtkActor* actor : {edges.Get(), line_actor.Get()}) {
@@ -200,6 +199,8 @@ struct CutHandle::Impl {
         line->SetPoint2(place.data());
       }
     }
+    // The bone is seen through two sides of a box.
+    sides->GetProperty()->SetOpacity(is_blade() ? 0.28 : 0.16);
     const Eigen::Vector3d size = 2 * box.half_extents;
     cube->SetXLength(size.x());
     cube->SetYLength(size.y());

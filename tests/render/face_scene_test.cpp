@@ -301,6 +301,10 @@ TEST_F(SceneTest, HiddenAndRemovedThingsLeaveThePicture) {
   scene.set_bone_visible("skull", false);
   EXPECT_EQ(renderer.render(scene, 200, 200), empty);
   scene.set_bone_visible("skull", true);
+  scene.set_bone_drawn("skull", false);
+  EXPECT_EQ(renderer.render(scene, 200, 200), empty);
+  scene.set_bone_drawn("skull", true);
+  EXPECT_NE(renderer.render(scene, 200, 200), empty);
   scene.remove_bones();
   EXPECT_TRUE(scene.bone_names().empty());
   EXPECT_EQ(renderer.render(scene, 200, 200), empty);

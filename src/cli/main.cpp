@@ -62,6 +62,14 @@ int main(int argc, char** argv) {
   settle->add_option("--tolerance", settling.tolerance_mm, "of what counts as settled, mm");
   settle->add_option("--most-steps", settling.most_steps, "before it is given up");
   settle->add_flag("--no-pictures", no_pictures, "leave the pictures out");
+  RegisterChoices choices;
+  CLI::App* place = verb("register", "put the photograph onto the skin of the CT", "CASE", true);
+  place->add_flag("--from-case", choices.from_case, "begin at the case's transform");
+  place->add_option("--mm-per-unit", choices.mm_per_unit, "of the photograph: 1, 10, 1000 …");
+  place->add_flag("--fit-scale", choices.fit_scale, "fit the scale, too");
+  place->add_option("--landmarks", choices.landmarks, "a file of pairs to begin from and judge by");
+  place->add_option("--stable", choices.stable, "a file of the vertices that decide");
+  place->add_flag("--accept-doubts", choices.accept_doubts, "take a doubtful registration");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -87,6 +95,7 @@ int main(int argc, char** argv) {
     if (name == "region") region_verb(input, output, std::cout, progress);
     if (name == "mesh") mesh_verb(input, output, std::cout, progress);
     if (name == "predict") predict_verb(input, output, !no_pictures, std::cout, progress);
+    if (name == "register") register_verb(input, output, choices, std::cout, progress);
     if (name == "settle") {
       settle_verb(input, output, settling, !no_pictures, std::cout, progress);
     }

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <ostream>
 
 #include "base/progress.h"
 #include "prediction/settling.h"
+#include "registration/registration.h"
 
 namespace gnathion {
 
@@ -48,5 +50,20 @@ void predict_verb(const std::filesystem::path& case_file, const std::filesystem:
 void settle_verb(const std::filesystem::path& case_file, const std::filesystem::path& target,
                  const SettlingOptions& options, bool pictures, std::ostream& out,
                  Progress& progress);
+
+/// How a photograph is to be registered.
+struct RegisterChoices {
+  bool from_case = false;  ///< begin at the case's transform; else anywhere, or at the landmarks
+  std::optional<double> mm_per_unit;
+  bool fit_scale = false;
+  std::optional<std::filesystem::path> landmarks;  ///< name, photograph x y z, LPS x y z a line
+  std::optional<std::filesystem::path> stable;     ///< vertices of the photograph, from 0
+  bool accept_doubts = false;
+};
+
+/// Puts the case's photograph onto the skin of its CT: case.json with the new transform, and
+/// registration.json, how well it fits. A doubtful one is an error unless doubts are accepted.
+void register_verb(const std::filesystem::path& case_file, const std::filesystem::path& target,
+                   const RegisterChoices& choices, std::ostream& out, Progress& progress);
 
 }  // namespace gnathion

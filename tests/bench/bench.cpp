@@ -1,7 +1,7 @@
 // Measures what docs/evidence.md shows: `./run bench`.
 //   gnathion-bench FOLDER [--only PART]… [--largest TETS] [CASE.json …]
 // Prints Markdown tables, and writes the same as CSV and its plots as SVG into FOLDER. Exits with 1
-// when a hard case does not do what it must.
+// when a hard case does not do what it must, or a registration fails silently.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <functional>
@@ -13,6 +13,7 @@
 #include "bench/limits.h"
 #include "bench/mesh_peers.h"
 #include "bench/models.h"
+#include "bench/registration.h"
 #include "bench/scaling.h"
 #include "bench/targets.h"
 
@@ -37,7 +38,7 @@ int main(int argc, char** argv) {
   app.add_option(
          "--only", only,
          "hard, targets, calibration, models, meshes, elements, scaling, frames; reference: only "
-         "when named")
+         "only when named")
       ->take_all();
   app.add_option("--largest", largest, "tets of the largest patch of the scaling");
   CLI11_PARSE(app, argc, argv);
@@ -49,6 +50,7 @@ int main(int argc, char** argv) {
       {"models", [&](const Report& report) { report_models(report, cases); }},
       {"meshes", [&](const Report& report) { report_mesh_peers(report, cases); }},
       {"elements", [&](const Report& report) { report_elements(report); }},
+      {"registration", [&](const Report& report) { failed += report_registration(report, cases); }},
       {"scaling", [&](const Report& report) { report_scaling(report, largest); }},
       {"frames", [&](const Report& report) { report_frames(report, cases); }},
       {"reference", [&](const Report& report) { report_reference(report, cases); }}};

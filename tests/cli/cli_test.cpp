@@ -561,6 +561,42 @@ TEST_F(Cli, APlanThatTheAnatomyDoesNotAllowIsCode5) {
   expect_failure(5, {"region", "99999999"}, {"predict", far, "x"});
 }
 
+TEST_F(Cli, RegisterFindsThePhotographsPlace) {
+  json plan = json::parse(bytes_of(folder() / "demo/case.json"));
+  plan["photograph"]["transform"] = {{"scale", 1},
+                                     {"rotation", {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}},
+                                     {"translation_mm", {80, -40, 95}}};
+  temporary_->write("Fälle von heute/demo/lost.json", plan.dump());
+  const CliRun run = run_cli(folder(), {"register", "demo/lost.json", "found"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("median"), std::string::npos) << run.out;
+  const json found = json::parse(bytes_of(folder() / "found/case.json"))["photograph"]["transform"];
+  const json truth = json::parse(bytes_of(folder() / "demo/truth.json"))["lps_from_photograph"];
+  EXPECT_EQ(found["scale"], 1);
+  EXPECT_LT((vector_of(found["translation_mm"]) - vector_of(truth["translation"])).norm(), 0.2);
+  for (int row = 0; row < 3; ++row) {
+    EXPECT_LT((vector_of(found["rotation"][row]) - vector_of(truth["rotation"][row])).norm(), 2e-3);
+  }
+  EXPECT_EQ(run_cli(folder(), {"check", "found/case.json"}).code, 0);
+  const json report = json::parse(bytes_of(folder() / "found/registration.json"));
+  EXPECT_TRUE(report["doubts"].empty());
+  EXPECT_LT(report["distance_mm"]["p95"], 0.6);
+
+  expect_failure(6, {"registration", "doubtful", "--accept-doubts"},
+                 {"register", "demo/lost.json", "not-found", "--mm-per-unit", "1.4"});
+  EXPECT_FALSE(fs::exists(folder() / "not-found"));
+  EXPECT_EQ(run_cli(folder(), {"register", "demo/lost.json", "poor", "--mm-per-unit", "1.4",
+                               "--accept-doubts"})
+                .code,
+            0);
+  temporary_->write("Fälle von heute/marks", "nose 1 2 3 4 5");
+  expect_failure(4, {"marks, line 1", "no landmark"},
+                 {"register", "demo/lost.json", "x", "--landmarks", "marks"});
+  temporary_->write("Fälle von heute/stable", "1 2 99999999");
+  expect_failure(4, {"stable", "99999999"},
+                 {"register", "demo/lost.json", "x", "--stable", "stable"});
+}
+
 TEST_F(Cli, AnOutputThatExistsOrCannotBeMadeIsCode7) {
   temporary_->write("Fälle von heute/file", "mine");
   for (const char* verb : {"surfaces", "predict", "mesh"}) {

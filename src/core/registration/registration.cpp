@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iomanip>
 #include <sstream>
 
@@ -29,6 +30,7 @@ constexpr double kLeastAgreement = 0.4;
 constexpr double kLeastMatched = 50;  // cm²
 constexpr double kLeastStableNear = 0.6;
 constexpr double kLeastGrip = 0.004;
+constexpr double kMostMoved = 25;     // mm
 constexpr double kMostLandmarks = 5;  // mm, RMS
 
 std::string in_words(double value, int digits = 1) {
@@ -82,12 +84,14 @@ struct Work {
   const Progress& progress;
 };
 
-/// The sample's first `most` points within kNear of the skin; a sample is shuffled.
+/// The sample's first `most` points within kNear of the skin, of those that belong where that is
+/// asked; a sample is shuffled.
 SurfaceSample near_skin(const SurfaceSample& s, const Similarity& at, const SkinTarget& skin,
-                        Eigen::Index most) {
+                        Eigen::Index most, const std::function<bool(const Vector3d&)>& belongs) {
   std::vector<Eigen::Index> rows;
   for (Eigen::Index i = 0; i < s.size() && static_cast<Eigen::Index>(rows.size()) < most; ++i) {
-    if (skin.nearest(at(s.points.row(i)), kNear)) rows.push_back(i);
+    const Vector3d p = at(s.points.row(i));
+    if ((!belongs || belongs(p)) && skin.nearest(p, kNear)) rows.push_back(i);
   }
   SurfaceSample part{
       s.points(rows, Eigen::all), s.normals(rows, Eigen::all), {}, s.area, s.spacing};
@@ -95,25 +99,45 @@ SurfaceSample near_skin(const SurfaceSample& s, const Similarity& at, const Skin
   return part;
 }
 
-/// A few points first, from afar; then many, from near.
+/// Points of the sample that lie on the skin, the nearer the more.
+double lying_on(const SurfaceSample& sample, const SurfaceFit& fit, const SkinTarget& skin) {
+  constexpr double kKernel = 3;  // mm
+  const SurfaceAgreement found = agreement(sample, fit.lps_from_photograph, skin, kKernel + 1);
+  const Eigen::ArrayXd away = (found.distance.array() - fit.offset_mm) / kKernel;
+  return (1 - away.square()).max(0).sum();
+}
+
+/// A few points first, from afar: from as far as the start may be off, and from less far, for then
+/// hair and shoulders pull less. The better one counts.
 SurfaceFit quick_fit(const Work& work, const Similarity& start) {
   SurfaceFitOptions options;
-  options.reach_mm = 20;
   options.trimmed = work.options.trimmed;
   options.most_iterations = 40;
   options.settled_mm = 0.02;
   const SurfaceSample few = work.stable.sample_of(1500, kSmoothing / start.scale);
-  return fit_surface(few, start, work.skin, options, work.progress);
+  SurfaceFit best;
+  double most = -1;
+  for (const double reach : {20.0, 10.0, 6.0}) {
+    options.reach_mm = reach;
+    SurfaceFit fit = fit_surface(few, start, work.skin, options, work.progress);
+    const double lying = lying_on(few, fit, work.skin);
+    if (lying <= most) continue;
+    most = lying;
+    best = std::move(fit);
+  }
+  return best;
 }
 
-SurfaceFit full_fit(const Work& work, const Similarity& start) {
+/// Then many, from near. `part` chooses among the points by where they come to lie, LPS mm.
+SurfaceFit full_fit(const Work& work, const Similarity& start,
+                    const std::function<bool(const Vector3d&)>& part = {}) {
   SurfaceFitOptions options;
   options.reach_mm = 8;
   options.trimmed = work.options.trimmed;
   options.fit_scale = work.options.fit_scale;
   options.fit_offset = !work.options.fit_scale;
   const SurfaceSample many = work.stable.sample_of(24000, kSmoothing / start.scale);
-  return fit_surface(near_skin(many, start, work.skin, 8000), start, work.skin, options,
+  return fit_surface(near_skin(many, start, work.skin, 8000, part), start, work.skin, options,
                      work.progress);
 }
 
@@ -153,8 +177,7 @@ void doubt_overlap(const Work& work, Registration& r) {
   const RegistrationQuality& q = r.quality;
   const bool painted = !work.options.stable.empty();
   const auto doubt = [&](const std::string& text) {
-    r.doubts.push_back(
-        {Kind::too_little, text + "; pick landmarks, or check the photograph's unit"});
+    r.doubts.push_back({Kind::too_little, text, "pick landmarks, or check the photograph's unit"});
   };
   if (painted && q.near < kLeastStableNear) {
     doubt("only " + in_words(100 * q.near, 0) + " % of the stable region lies near the CT's skin");
@@ -169,18 +192,22 @@ void doubt_overlap(const Work& work, Registration& r) {
 void doubt_fit(Registration& r) {
   const RegistrationQuality& q = r.quality;
   if (!q.converged) {
-    r.doubts.push_back({Kind::not_converged, "the fit has not come to rest after " +
-                                                 std::to_string(q.iterations) +
-                                                 " steps; begin nearer, from landmarks"});
+    r.doubts.push_back(
+        {Kind::not_converged,
+         "the fit has not come to rest after " + std::to_string(q.iterations) + " steps",
+         "begin nearer, from landmarks"});
   }
   if (q.spread_mm > kMostSpread) {
-    r.doubts.push_back({Kind::too_far, "the surfaces lie " + in_words(q.spread_mm) +
-                                           " mm apart where they fit best: another person, another "
-                                           "expression or another scale; look at the colour map"});
+    r.doubts.push_back({Kind::too_far,
+                        "the surfaces lie " + in_words(q.spread_mm) +
+                            " mm apart where they fit best: another person, another "
+                            "expression or another scale",
+                        "look at the colour map"});
   }
   if (q.grip < kLeastGrip) {
     r.doubts.push_back({Kind::slides,
-                        "the part that decides is as smooth as a ball and could slide; paint more "
+                        "the part that decides is as smooth as a ball and could slide",
+                        "paint more "
                         "of the nose and the brows as stable, or pick landmarks"});
   }
 }
@@ -191,16 +218,49 @@ void doubt_landmarks(Registration& r) {
   if (r.quality.landmark_mm.empty()) return;
   const double rms = std::sqrt(squares / static_cast<double>(r.quality.landmark_mm.size()));
   if (rms <= kMostLandmarks) return;
-  r.doubts.push_back({Kind::landmarks_differ,
-                      "the landmarks are " + in_words(rms) +
-                          " mm apart (RMS) where the surfaces fit; look for one that was picked "
-                          "elsewhere, or begin from the landmarks"});
+  r.doubts.push_back(
+      {Kind::landmarks_differ,
+       "the landmarks are " + in_words(rms) + " mm apart (RMS) where the surfaces fit",
+       "look for one that was picked "
+       "elsewhere, or begin from the landmarks"});
 }
 
-Registration registration_of(const Work& work, const SurfaceFit& fit) {
+/// The upper face where the fit has put it: from the nose's tip to above the brows.
+SurfaceFit upper_fit(const Work& work, const SurfaceFit& whole) {
+  const Vector3d nose = work.skin.forward().front().at;
+  return full_fit(work, whole.lps_from_photograph, [&](const Vector3d& p) {
+    return p.z() > nose.z() - 5 && p.z() < nose.z() + 110 && p.y() < nose.y() + 90;
+  });
+}
+
+/// How far the two transforms part on the face, mm.
+double apart_on_face(const Work& work, const Similarity& a, const Similarity& b) {
+  if (work.skin.forward().empty()) return 0;
+  const Vector3d nose = work.skin.forward().front().at;
+  const Vector3d own = a.displacement_to_source(nose - a.translation);
+  const Vector3d chin = a.displacement_to_source(nose - a.translation - Vector3d(0, -15, 60));
+  return std::max((a(own) - b(own)).norm(), (a(chin) - b(chin)).norm());
+}
+
+/// The full fit and what there is to be doubted of it.
+Registration registration_from(const Work& work, const Similarity& start) {
+  constexpr double kMostApart = 1;  // mm
+  SurfaceFit fit = full_fit(work, start);
+  double apart = 0;
+  if (work.options.stable.empty() && fit.converged && !work.skin.forward().empty()) {
+    SurfaceFit upper = upper_fit(work, fit);
+    apart = apart_on_face(work, fit.lps_from_photograph, upper.lps_from_photograph);
+    if (apart > kMostApart && upper.converged) fit = std::move(upper);
+  }
   Registration r{fit.lps_from_photograph, quality_of(work, fit), {}};
   doubt_overlap(work, r);
   doubt_fit(r);
+  if (apart > kMostApart) {
+    r.doubts.push_back({Kind::parts_differ,
+                        "upper and lower face do not fit together (" + in_words(apart) +
+                            " mm), as with another expression",
+                        "look whether forehead and nose fit, and paint them as stable"});
+  }
   doubt_landmarks(r);
   return r;
 }
@@ -255,28 +315,45 @@ bool elsewhere(const Similarity& a, const Similarity& b, const Vector3d& at) {
 Registration best_of(const Work& work, std::vector<Candidate> candidates, const Vector3d& middle) {
   if (candidates.empty()) {
     Registration none;
-    none.doubts.push_back(
-        {Kind::nothing_found,
-         "nothing of the photograph's shape is like the CT's face; pick landmarks"});
+    none.doubts.push_back({Kind::nothing_found,
+                           "nothing of the photograph's shape is like the CT's face",
+                           "pick landmarks"});
     return none;
   }
   std::sort(candidates.begin(), candidates.end(),
             [](const Candidate& a, const Candidate& b) { return a.covered > b.covered; });
   const Candidate& best = candidates.front();
-  Registration r = registration_of(work, full_fit(work, best.fit.lps_from_photograph));
+  Registration r = registration_from(work, best.fit.lps_from_photograph);
   const bool other = std::any_of(candidates.begin() + 1, candidates.end(), [&](const Candidate& c) {
     return c.covered > kAlmost * best.covered &&
            elsewhere(c.fit.lps_from_photograph, best.fit.lps_from_photograph, middle);
   });
   if (other) {
-    r.doubts.push_back(
-        {Kind::ambiguous,
-         "it fits elsewhere nearly as well; pick landmarks to say where it belongs"});
+    r.doubts.push_back({Kind::ambiguous, "it fits elsewhere nearly as well",
+                        "pick landmarks to say where it belongs"});
   }
   return r;
 }
 
 }  // namespace
+
+RegistrationQuality registration_quality(const TriangleMesh& photograph, const SkinTarget& skin,
+                                         const Similarity& lps_from_photograph,
+                                         const RegistrationOptions& options) {
+  check(photograph, options);
+  check(lps_from_photograph);
+  const SampledSurface stable(photograph, options.stable);
+  const Progress progress;
+  SurfaceFit fit;
+  fit.lps_from_photograph = lps_from_photograph;
+  const SurfaceSample sample = stable.sample_of(5000, kSmoothing / lps_from_photograph.scale);
+  const SurfaceAgreement found = agreement(sample, lps_from_photograph, skin, kNear);
+  std::vector<double> values(found.distance.begin(), found.distance.end());
+  if (!values.empty()) fit.offset_mm = percentile(values, 0.5);
+  for (double& value : values) value = std::abs(value - fit.offset_mm);
+  if (!values.empty()) fit.spread_mm = 1.4826 * percentile(values, 0.5);
+  return quality_of({stable, stable, skin, options, progress}, fit);
+}
 
 Registration register_photograph(const TriangleMesh& photograph, const SkinTarget& skin,
                                  const Similarity& start, const RegistrationOptions& options,
@@ -286,7 +363,14 @@ Registration register_photograph(const TriangleMesh& photograph, const SkinTarge
   const auto stage = progress.stage("register photograph");
   const SampledSurface stable(photograph, options.stable);
   const Work work{stable, stable, skin, options, progress};
-  return registration_of(work, full_fit(work, quick_fit(work, start).lps_from_photograph));
+  Registration r = registration_from(work, quick_fit(work, start).lps_from_photograph);
+  const double moved = apart_on_face(work, start, r.lps_from_photograph);
+  if (moved > kMostMoved) {
+    r.doubts.push_back({Kind::moved_far,
+                        "the fit has moved the face " + in_words(moved) + " mm from its start",
+                        "look whether it slid, or let it be found from shape alone"});
+  }
+  return r;
 }
 
 Registration register_photograph(const TriangleMesh& photograph, const SkinTarget& skin,
@@ -315,8 +399,9 @@ Registration register_photograph(const TriangleMesh& photograph, const SkinTarge
   if (!known) {
     r.doubts.push_back(
         {Kind::unit_unknown,
-         "the photograph is in no usual unit; " + in_words(r.lps_from_photograph.scale, 2) +
-             " mm a unit were estimated from its shape; measure it, or give the scale"});
+         "the photograph is in no usual unit: " + in_words(r.lps_from_photograph.scale, 2) +
+             " mm a unit were estimated from its shape",
+         "measure it, or give the scale"});
   }
   return r;
 }

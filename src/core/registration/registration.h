@@ -45,12 +45,15 @@ struct RegistrationDoubt {
     too_little,        ///< too little of the photograph lies on the skin
     too_far,           ///< what lies on it does so too roughly
     slides,            ///< the shape does not hold it, as on a sphere
+    moved_far,         ///< it came to rest farther from the start than a start may be off
     ambiguous,         ///< it fits elsewhere, or in another unit, nearly as well
     unit_unknown,      ///< the scale had to be searched for
+    parts_differ,      ///< the lower face fits elsewhere than the upper: another expression
     landmarks_differ,  ///< the surface fits but the landmarks do not
   };
   Kind kind;
-  std::string text;  ///< a sentence for the user: what is wrong; what to do
+  std::string problem;  ///< what is wrong, for the user
+  std::string remedy;   ///< what to do
 };
 
 /// Where a photograph belongs.
@@ -63,7 +66,16 @@ struct Registration {
   bool trusted() const { return doubts.empty(); }
 };
 
-/// From a start that is right to about 20° and 15 mm (landmarks, or the place it has). photograph:
+/// How well a photograph lies on the skin where it is, without moving it: distances, shares and
+/// landmarks; spread about the median distance, the offset. grip, iterations and converged say
+/// nothing. Throws Error(input) as register_photograph().
+RegistrationQuality registration_quality(const TriangleMesh& photograph, const SkinTarget& skin,
+                                         const Similarity& lps_from_photograph,
+                                         const RegistrationOptions& options);
+
+/// From a start that is right to about 20° and 15 mm (landmarks, or the place it has). Without a
+/// stable region the upper face alone is fitted, too; where it comes to lie more than a millimetre
+/// elsewhere, its place is taken and doubted. photograph:
 /// own frame and unit, outward. A failure is told by doubts, never by a poor fit alone.
 /// Throws Error(input): no triangles, a coordinate that is not finite, fewer than 50 stable
 /// vertices, flags of another number of vertices, a start that is mirrored, sheared or without

@@ -283,7 +283,8 @@ double mean_of(const std::map<std::string, double>& values) {
 /// Forehead and bridge of the nose, by where the case puts the scan.
 std::vector<bool> stable_region(const RealScan& scan, const Vector3d& nose_tip) {
   std::vector<bool> flags;
-  for (const auto& row : moved(scan.photograph.vertices, scan.known).rowwise()) {
+  const Points lps = moved(scan.photograph.vertices, scan.known);
+  for (const auto& row : lps.rowwise()) {
     const Vector3d p = row.transpose() - nose_tip;
     flags.push_back(p.y() < 75 && std::abs(p.x()) < 60 && p.z() > 20 && p.z() < 110 &&
                     (p.z() > 55 || std::abs(p.x()) < 22));

@@ -159,20 +159,12 @@ void FaceView::set_quick(bool quick) {
 }
 
 void FaceView::show_case(const LoadedCase& loaded) {
-  const Face& face = loaded.anatomy->face;
-  scene_.set_face(face.mesh, face.document.path().string());
-  rest_ = face.mesh.surface.vertices;
-  scene_.remove_bones();
-  scene_.set_bone("skull", loaded.anatomy->remainder, skull_look, loaded.coarse_skull);
-  segments_.clear();
+  // A stroke of the brush changes neither face nor bones: they stay on the graphics card.
+  if (loaded.anatomy != shown_anatomy_) show_anatomy(loaded);
   handle_homes_.clear();
-  for (std::size_t s = 0; s < loaded.anatomy->segments.size(); ++s) {
-    const BoneSegment& segment = loaded.anatomy->segments[s];
-    segments_.push_back("segment " + segment.name);
+  for (const BoneSegment& segment : loaded.anatomy->segments) {
     handle_homes_.push_back(handle_home(loaded, segment));
-    scene_.set_bone(segments_[s], segment.mesh, segment_look, loaded.coarse_segments[s]);
   }
-  set_bone_visible(bone_visible_);
   film_face_.resize(0, 3);
   change_.resize(0);
   change_outdated_ = true;
@@ -181,7 +173,24 @@ void FaceView::show_case(const LoadedCase& loaded) {
   if (!handle_homes_.empty()) handle_.set_home(handle_homes_.front());
   handle_.attach(canvas_->renderWindow()->GetInteractor(), scene_.renderer());
   update_handle();
+  show_change();
   emit case_shown();
+}
+
+void FaceView::show_anatomy(const LoadedCase& loaded) {
+  const Face& face = loaded.anatomy->face;
+  scene_.set_face(face.mesh, face.document.path().string());
+  rest_ = face.mesh.surface.vertices;
+  scene_.remove_bones();
+  scene_.set_bone("skull", loaded.anatomy->remainder, skull_look, loaded.coarse_skull);
+  segments_.clear();
+  for (std::size_t s = 0; s < loaded.anatomy->segments.size(); ++s) {
+    const BoneSegment& segment = loaded.anatomy->segments[s];
+    segments_.push_back("segment " + segment.name);
+    scene_.set_bone(segments_[s], segment.mesh, segment_look, loaded.coarse_segments[s]);
+  }
+  set_bone_visible(bone_visible_);
+  shown_anatomy_ = loaded.anatomy;
 }
 
 void FaceView::set_active_segment(std::size_t segment) {

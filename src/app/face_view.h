@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <QTimer>
 #include <QWidget>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -97,6 +98,7 @@ class FaceView : public QWidget {
   void set_quick(bool quick);
   bool is_film() const { return film_face_.rows() > 0; }
   void draw_larger(int scale, Picture& picture);
+  void show_anatomy(const LoadedCase& loaded);
   void show_points();
   void show_caption();
   void show_change();
@@ -108,6 +110,7 @@ class FaceView : public QWidget {
   FaceScene scene_;
   SegmentHandle handle_;
   QTimer render_timer_;  ///< many changes in one turn of the event loop: one frame
+  std::shared_ptr<const Anatomy> shown_anatomy_;
   Points rest_;
   Response response_;
   QString caption_;        ///< of the response

@@ -40,6 +40,25 @@ bool same_but_for_motions(const SurgicalCase& a, const SurgicalCase& b) {
 
 namespace {
 
+/// Whether both plans have the same bones and the same face: a stroke of the brush changes neither.
+bool same_anatomy(const SurgicalCase& a, const SurgicalCase& b) {
+  SurgicalCase other = b;
+  other.region = a.region;
+  other.tissue = a.tissue;
+  other.landmarks = a.landmarks;
+  other.name = a.name;
+  return same_but_for_motions(a, other);
+}
+
+/// Reads and cuts, and makes the bones for quick frames.
+void add_anatomy(LoadedCase& loaded, const LoadedCase* known, Progress& progress) {
+  std::optional<KnownAnatomy> known_anatomy;
+  if (known != nullptr) known_anatomy.emplace(KnownAnatomy{known->plan, *known->anatomy});
+  loaded.anatomy = std::make_shared<const Anatomy>(
+      build_anatomy(loaded.plan, progress, known_anatomy ? &*known_anatomy : nullptr));
+  require_showable(loaded.anatomy->face);
+}
+
 /// What the face follows by, or why it cannot.
 void add_model(LoadedCase& loaded, Progress& progress) {
   if (loaded.plan.segments.empty()) return;
@@ -58,24 +77,26 @@ std::shared_ptr<const LoadedCase> load_case(const SurgicalCase& plan, const Load
                                             Progress& progress) {
   auto loaded = std::make_shared<LoadedCase>();
   loaded->plan = plan;
-  std::optional<KnownAnatomy> known_anatomy;
-  if (known != nullptr) known_anatomy.emplace(KnownAnatomy{known->plan, *known->anatomy});
-  const auto anatomy = std::make_shared<const Anatomy>(
-      build_anatomy(plan, progress, known_anatomy ? &*known_anatomy : nullptr));
-  loaded->anatomy = anatomy;
-  // The future's destructor waits for its thread.
-  std::future<void> coarse = std::async(std::launch::async, [anatomy, &loaded] {
-    loaded->coarse_skull = coarse_triangles(anatomy->remainder, kQuickSkull);
-    for (const BoneSegment& segment : anatomy->segments) {
-      loaded->coarse_segments.push_back(coarse_triangles(segment.mesh, kQuickSegment));
-    }
-  });
-  require_showable(anatomy->face);
+  std::future<void> coarse;  // its destructor waits for its thread
+  if (known != nullptr && same_anatomy(known->plan, plan)) {
+    loaded->anatomy = known->anatomy;
+    loaded->coarse_skull = known->coarse_skull;
+    loaded->coarse_segments = known->coarse_segments;
+  } else {
+    add_anatomy(*loaded, known, progress);
+    coarse = std::async(std::launch::async, [anatomy = loaded->anatomy, &loaded] {
+      loaded->coarse_skull = coarse_triangles(anatomy->remainder, kQuickSkull);
+      for (const BoneSegment& segment : anatomy->segments) {
+        loaded->coarse_segments.push_back(coarse_triangles(segment.mesh, kQuickSegment));
+      }
+    });
+  }
+  const std::shared_ptr<const Anatomy> anatomy = loaded->anatomy;
   add_model(*loaded, progress);
   loaded->landmarks =
       FaceLandmarks(loaded->plan.landmarks, anatomy->face.mesh.surface, anatomy->segments);
   const auto stage = progress.stage("bones for quick frames");
-  coarse.get();
+  if (coarse.valid()) coarse.get();
   progress.check();
   return loaded;
 }

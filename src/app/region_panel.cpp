@@ -135,14 +135,16 @@ void RegionPanel::connect_brush() {
             [this, by = by] { tool_.set_radius(std::round(tool_.radius()) + by); });
     shortcuts_.push_back(shortcut);
   }
-  // Smooth edges cost a software renderer half a frame.
+  // Bones of many triangles and smooth edges cost a software renderer most of a frame.
   connect(&tool_, &RegionBrushTool::stroke_began, this, [this] {
     overlay_.set_supports({});
     overlay_.set_faults({});
     view_.renderer()->SetUseFXAA(false);
+    view_.scene().set_coarse_bones(true);
   });
   connect(&tool_, &RegionBrushTool::stroke_ended, this, [this] {
     view_.renderer()->SetUseFXAA(true);
+    view_.scene().set_coarse_bones(false);
     take_plan();
     view_.render_soon();
   });
@@ -226,7 +228,7 @@ void RegionPanel::show_outline() {
   overlay_.set_region(outline.triangles, outline.rim);
   overlay_.set_sliding_area(editor_.sliding_outline().triangles);
   ui_->area_value->setText(
-      RegionPanel::tr("%1 cm², %2 triangles")
+      tr("%1 cm², %2 triangles")
           .arg(QLocale().toString(outline.area_mm2 / 100, 'f', 1),
                QLocale().toString(static_cast<int>(outline.triangles.rows()))));
   view_.render_soon();
@@ -244,43 +246,42 @@ bool RegionPanel::is_model_current() const {
   return controller_.has_model() && !controller_.is_editing();
 }
 
-void RegionPanel::show_state() {
-  if (!active_ || !editor_.has_face()) return;
-  const std::vector<RegionFault>& faults = editor_.faults();
+/// What is wrong with the region, or else how far its model is. is_wrong: the face cannot follow.
+QString RegionPanel::state_words(bool& is_wrong) const {
   const RegionChoice& choice = controller_.plan().region;
   const bool suggested = choice.vertices.empty() && !choice.erased;
-  QStringList wrong;
+  is_wrong = false;
+  if (!editor_.is_known()) return tr("The suggested region is being computed.");
+  if (!suggested && !editor_.faults().empty()) {
+    is_wrong = true;
+    QStringList words;
+    for (const RegionFault& fault : editor_.faults()) words << words_for(fault);
+    return tr("The face cannot follow yet. %1").arg(words.join(' '));
+  }
+  if (!controller_.has_segments()) {
+    return tr(
+        "No segment is cut yet. Cut one in the step Bone: the region is then suggested from it; "
+        "or paint it now.");
+  }
+  if (controller_.is_editing()) return tr("The tissue below is being computed.");
+  if (!controller_.loaded().no_model) return tr("One piece with a rim: the face follows.");
+  is_wrong = true;
+  const Failure failure = failure_of(*controller_.loaded().no_model);
+  return tr("The face cannot follow yet: %1. What to do: %2.").arg(failure.problem, failure.remedy);
+}
+
+void RegionPanel::show_state() {
+  if (!active_ || !editor_.has_face()) return;
   std::vector<int> marked;
-  if (!suggested) {
-    for (const RegionFault& fault : faults) {
-      wrong << words_for(fault);
-      if (fault.kind == RegionFault::Kind::empty || fault.kind == RegionFault::Kind::no_rim)
-        continue;
-      marked.insert(marked.end(), fault.vertices.begin(), fault.vertices.end());
-    }
+  for (const RegionFault& fault : editor_.faults()) {
+    const bool everywhere =
+        fault.kind == RegionFault::Kind::empty || fault.kind == RegionFault::Kind::no_rim;
+    if (!everywhere) marked.insert(marked.end(), fault.vertices.begin(), fault.vertices.end());
   }
   overlay_.set_faults(marked);
-  QString text;
-  if (!editor_.is_known()) {
-    text = RegionPanel::tr("The suggested region is being computed.");
-  } else if (!wrong.isEmpty()) {
-    text = RegionPanel::tr("The face cannot follow yet. %1").arg(wrong.join(' '));
-  } else if (!controller_.has_segments()) {
-    text = RegionPanel::tr(
-        "No segment is cut yet. Cut one in the step Bone: the region is then "
-        "suggested from it; or paint it now.");
-  } else if (controller_.is_editing()) {
-    text = RegionPanel::tr("The tissue below is being computed.");
-  } else if (controller_.loaded().no_model) {
-    const Failure failure = failure_of(*controller_.loaded().no_model);
-    wrong << failure.problem;
-    text = RegionPanel::tr("The face cannot follow yet: %1. What to do: %2.")
-               .arg(failure.problem, failure.remedy);
-  } else {
-    text = RegionPanel::tr("One piece with a rim: the face follows.");
-  }
-  ui_->state_label->setText(text);
-  ui_->state_label->setStyleSheet(wrong.isEmpty() ? "" : "color: #b35900; font-weight: bold");
+  bool is_wrong = false;
+  ui_->state_label->setText(state_words(is_wrong));
+  ui_->state_label->setStyleSheet(is_wrong ? "color: #b35900; font-weight: bold" : "");
   show_supports();
   update_enabled();
 }
@@ -297,7 +298,7 @@ void RegionPanel::show_supports() {
     values[i]->setText(is_model_current() ? QLocale().toString(static_cast<int>(count)) : "–");
   }
   ui_->rim_value->setText(is_model_current()
-                              ? RegionPanel::tr("%1 mm").arg(QLocale().toString(
+                              ? tr("%1 mm").arg(QLocale().toString(
                                     controller_.loaded().model->problem().rim_to_segment, 'f', 0))
                               : "–");
   const bool shown = active_ && ui_->supports_group->isChecked() && !editor_.is_stroke();

@@ -39,6 +39,7 @@ class RegionPanel : public QWidget {
   void set_mode(BrushMode mode);
   void take_plan();
   void show_outline();
+  QString state_words(bool& is_wrong) const;
   void show_state();
   void show_supports();
   void show_points();

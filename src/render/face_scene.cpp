@@ -357,6 +357,7 @@ struct FaceScene::Impl {
   bool colour_map = false;
   double face_opacity = 1;
   bool coarse = false;
+  bool coarse_bones = false;
 
   Impl() {
     renderer->SetBackground(background_low.x(), background_low.y(), background_low.z());
@@ -485,7 +486,7 @@ struct FaceScene::Impl {
   }
 
   void apply_visibility(Bone& bone) {
-    const bool show_coarse = coarse && bone.coarse;
+    const bool show_coarse = (coarse || coarse_bones) && bone.coarse;
     const bool shown = bone.visible && bone.drawn;
     bone.fine->actor->SetVisibility(shown && !show_coarse);
     if (bone.coarse) bone.coarse->actor->SetVisibility(shown && show_coarse);
@@ -653,6 +654,11 @@ void FaceScene::set_bone_drawn(const std::string& name, bool drawn) {
     bone->drawn = drawn;
     impl_->apply_visibility(*bone);
   }
+}
+
+void FaceScene::set_coarse_bones(bool coarse) {
+  impl_->coarse_bones = coarse;
+  for (auto& [name, bone] : impl_->bones) impl_->apply_visibility(bone);
 }
 
 void FaceScene::set_coarse(bool coarse) {

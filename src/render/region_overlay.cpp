@@ -5,6 +5,7 @@
 #include <map>
 
 #include <vtkActor.h>
+#include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
@@ -149,6 +150,7 @@ struct RegionOverlay::Impl {
   vtkNew<vtkPoints> surface_points;
   vtkNew<vtkPoints> mark_points;
   vtkNew<vtkPoints> cursor_points;
+  vtkNew<vtkPoints> halo_points;
   Layer region, rim, sliding, faults, halo, cursor;
   std::array<Layer, support_marks.size()> supports;
   TriangleMesh face;
@@ -172,7 +174,7 @@ struct RegionOverlay::Impl {
     }
     cursor.set_up(cursor_points, paint_colour);
     cursor.actor->GetProperty()->SetLineWidth(2);
-    halo.set_up(cursor_points, halo_colour);
+    halo.set_up(halo_points, halo_colour);
     halo.actor->GetProperty()->SetLineWidth(5);
   }
 
@@ -256,17 +258,25 @@ void RegionOverlay::set_faults(const std::vector<int>& vertices) {
 }
 
 void RegionOverlay::set_cursor(const Points& segment_ends, bool erases) {
+  Impl& self = *impl_;
   const auto count = static_cast<int>(segment_ends.rows());
-  impl_->cursor_points->SetNumberOfPoints(count);
+  self.halo_points->SetNumberOfPoints(count);
+  self.cursor_points->SetNumberOfPoints(count);
+  Eigen::RowVector3d eye = Eigen::RowVector3d::Zero();
+  if (self.renderer != nullptr) self.renderer->GetActiveCamera()->GetPosition(eye.data());
   std::vector<int> ends;
   for (int i = 0; i < count; ++i) {
-    impl_->cursor_points->SetPoint(i, segment_ends(i, 0), segment_ends(i, 1), segment_ends(i, 2));
+    const Eigen::RowVector3d x = segment_ends.row(i);
+    const Eigen::RowVector3d nearer = x + kSurfaceLift * (eye - x).normalized();
+    self.halo_points->SetPoint(i, x.data());
+    self.cursor_points->SetPoint(i, nearer.data());
     ends.push_back(i);
   }
-  impl_->cursor_points->Modified();
-  impl_->halo.set_lines(ends);
-  impl_->cursor.set_lines(ends);
-  impl_->cursor.set_colour(erases ? erase_colour : paint_colour);
+  self.halo_points->Modified();
+  self.cursor_points->Modified();
+  self.halo.set_lines(ends);
+  self.cursor.set_lines(ends);
+  self.cursor.set_colour(erases ? erase_colour : paint_colour);
 }
 
 }  // namespace gnathion

@@ -284,7 +284,7 @@ void CaseController::take_back_edit() {
 
 void CaseController::export_face(const fs::path& folder) {
   if (!has_model() || is_exporting()) return;
-  exporting_.start([this, loaded = loaded_, plan = plan_with_motions(), prediction = refined_,
+  exporting_.start([this, loaded = loaded_, plan = shown_plan(), prediction = refined_,
                     folder](Progress& progress) {
     export_prediction(*loaded, plan, prediction, folder, progress);
     return [this, folder] { emit exported(QFile::decodeName(folder.c_str())); };
@@ -333,8 +333,13 @@ void CaseController::commit_motion() {
 
 /// What is planned now, motions that are no step yet included.
 SurgicalCase CaseController::plan_with_motions() const {
-  SurgicalCase plan = this->plan();
-  if (pending_) return plan;  // its segments may be others
+  return pending_ ? pending_->plan() : shown_plan();
+}
+
+/// The plan that loaded() was computed from, with the present motions: an edit that is still being
+/// computed may have other segments.
+SurgicalCase CaseController::shown_plan() const {
+  SurgicalCase plan = history_->plan();
   for (std::size_t s = 0; s < motions_.size(); ++s) plan.segments[s].motion = motions_[s];
   return plan;
 }
@@ -386,7 +391,7 @@ void CaseController::sharpen() {
 
 void CaseController::refine() {
   if (!has_model() || rest_.isActive() || refined_) return;
-  refining_.start([this, plan = plan_with_motions(), loaded = loaded_,
+  refining_.start([this, plan = shown_plan(), loaded = loaded_,
                    quick = sharp_ ? sharp_ : loaded_->model](Progress& progress) {
     auto prediction = std::make_shared<const Prediction>(
         make_prediction(plan, *loaded->anatomy, *quick, progress));

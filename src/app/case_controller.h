@@ -142,6 +142,7 @@ class CaseController : public QObject {
   void take_back_edit();
   void commit_motion();
   SurgicalCase plan_with_motions() const;
+  SurgicalCase shown_plan() const;
   void keep_demo_images(const std::filesystem::path& file);
   void await_rest();
   void rest();

@@ -29,9 +29,9 @@ QString fine(double mm) {
 }
 
 QString litres_words(double mm3, bool with_sign) {
-  const double cm3 = std::abs(mm3) < 5 ? 0 : mm3 / 1000;
+  const double cm3 = std::abs(mm3) < 50 ? 0 : mm3 / 1000;
   const QString sign = with_sign && cm3 > 0 ? QStringLiteral("+") : QString();
-  return sign + QLocale().toString(cm3, 'f', 2).replace('-', QChar(0x2212));
+  return sign + QLocale().toString(cm3, 'f', 1).replace('-', QChar(0x2212));
 }
 
 }  // namespace
@@ -143,10 +143,11 @@ void ComparePanel::update_numbers() {
 void ComparePanel::show_numbers() {
   const bool refined = controller_.refined() != nullptr;
   const AnswerWords said = answer_words(controller_, {});
-  ui_->answer_label->setText(
-      !controller_.has_model() ? said.status
-      : refined                ? tr("<b>Refined answer.</b> %1").arg(said.status)
-                : tr("<b>Not refined yet</b>: %1. Its error is not known.").arg(said.status));
+  ui_->answer_label->setText(!controller_.has_model() ? said.status
+                             : refined                ? tr("<b>Refined answer</b>")
+                                       : tr("<b>Quick answer, not refined yet</b>: its error is "
+                                            "not known"));
+  ui_->answer_label->setToolTip(said.status);
   const QString unknown(QChar(0x2013));
   const auto put = [&](int row, const DistanceStatistics* of) {
     const std::array<QString, 3> texts =
@@ -170,10 +171,10 @@ void ComparePanel::show_volume() {
     return;
   }
   const QString gained = litres_words(change_.volume_mm3, true);
-  ui_->volume_label->setText(
-      change_.error ? tr("Volume of the soft tissue's outline: %1 cm³ (± %2 cm³)")
-                          .arg(gained, litres_words(change_.volume_error_mm3(), false))
-                    : tr("Volume of the soft tissue's outline: %1 cm³ (quick answer)").arg(gained));
+  ui_->volume_label->setText(change_.error
+                                 ? tr("Volume gained: %1 cm³ (± %2 cm³)")
+                                       .arg(gained, litres_words(change_.volume_error_mm3(), false))
+                                 : tr("Volume gained: %1 cm³ (quick answer)").arg(gained));
 }
 
 void ComparePanel::show_histogram() {

@@ -121,16 +121,16 @@ void CompareView::set_mode(CompareMode mode) {
   view_.render_soon();
 }
 
-/// The face before and the bones at rest, these with fewer triangles: they are seen at its edge.
+/// The face before and the bones at rest.
 void CompareView::fill_before() {
   const Anatomy& anatomy = *shown_->anatomy;
   FaceScene& before = scene_.before();
   before.set_face(anatomy.face.mesh, anatomy.face.document.path().string());
   before.remove_bones();
-  before.set_bone("skull", {anatomy.remainder.vertices, shown_->coarse_skull}, skull_look);
+  before.set_bone("skull", anatomy.remainder, skull_look, shown_->coarse_skull);
   for (std::size_t s = 0; s < anatomy.segments.size(); ++s) {
-    before.set_bone("segment " + anatomy.segments[s].name,
-                    {anatomy.segments[s].mesh.vertices, shown_->coarse_segments[s]}, segment_look);
+    before.set_bone("segment " + anatomy.segments[s].name, anatomy.segments[s].mesh, segment_look,
+                    shown_->coarse_segments[s]);
   }
   before_filled_ = true;
 }

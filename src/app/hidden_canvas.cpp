@@ -55,7 +55,7 @@ struct HiddenCanvas::Impl {
     window->SetMultiSamples(0);
     window->SetFrameBlitModeToNoBlit();
     window->SetOffScreenRendering(1);
-    window->OpenGLInitContext();
+    window->OpenGLInit();
   }
 
   ~Impl() {

@@ -15,7 +15,7 @@ HistogramView::HistogramView(QWidget* parent) : QWidget(parent) {
 }
 
 QSize HistogramView::sizeHint() const {
-  return {240, 8 * fontMetrics().height()};
+  return {240, 15 * fontMetrics().height() / 2};
 }
 
 void HistogramView::show_values(const Histogram& histogram, std::vector<Mark> marks,

@@ -109,7 +109,7 @@ struct CompareScene::Impl {
     overlay->AddViewProp(blend_words);
     overlay->SetLayer(2);
     blend_words->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-    blend_words->SetPosition(0.5, 0.03);
+    blend_words->SetPosition(0.5, 0.09);  // above the scale bar
     blend_words->GetTextProperty()->SetJustificationToCentered();
     blend_words->GetTextProperty()->SetColor(0.13, 0.17, 0.22);
     blend_words->SetInput("");
@@ -127,12 +127,15 @@ struct CompareScene::Impl {
   void follow() {
     vtkCamera* camera = before.renderer()->GetActiveCamera();
     camera->DeepCopy(predicted.renderer()->GetActiveCamera());
+    camera->Modified();  // copying does not say so, and the frame would be the last camera's
     place_before();
     if (before.is_face_textured() != predicted.is_face_textured()) {
       before.set_face_textured(predicted.is_face_textured());
     }
+    if (before.is_coarse() != predicted.is_coarse()) before.set_coarse(predicted.is_coarse());
+    const bool opaque = mode != CompareMode::blend || predicted.renderer()->GetDraw() == 0;
     for (const std::string& bone : before.bone_names()) {
-      const bool shown = mode != CompareMode::blend && predicted.is_bone_visible(bone);
+      const bool shown = opaque && predicted.is_bone_visible(bone);
       if (before.is_bone_visible(bone) != shown) before.set_bone_visible(bone, shown);
     }
   }
@@ -156,12 +159,14 @@ struct CompareScene::Impl {
   void apply() {
     if (window == nullptr) return;
     const bool veil = mode == CompareMode::blend;
+    // A veil that hides everything is the face before alone, also where the other sticks out.
+    const bool opaque = veil && blend > 0.995;
     vtkRenderer* renderer = before.renderer();
-    renderer->SetLayer(veil ? 1 : 0);
+    renderer->SetLayer(veil && !opaque ? 1 : 0);
     renderer->SetDraw(mode == CompareMode::side_by_side || mode == CompareMode::wipe || veil);
     before.set_face_opacity(veil ? blend : 1);
     before.set_orientation_letters(!veil);
-    predicted.renderer()->SetDraw(mode != CompareMode::profile);
+    predicted.renderer()->SetDraw(mode != CompareMode::profile && !opaque);
     profile.renderer()->SetDraw(mode == CompareMode::profile);
     profile.renderer()->SetInteractive(mode == CompareMode::profile);
     overlay->SetDraw(mode == CompareMode::wipe || veil);

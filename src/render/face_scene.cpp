@@ -35,6 +35,7 @@
 #include "render/split_surface.h"
 #include "render/texture_image.h"
 #include "render/vtk_surface.h"
+#include "render/wrapped_words.h"
 
 namespace gnathion {
 namespace {
@@ -347,6 +348,7 @@ struct FaceScene::Impl {
   vtkSmartPointer<vtkTextActor> right_letter = text_at(0.975, 0.03);
   vtkNew<vtkCallbackCommand> before_render;
 
+  std::string label_words;
   TriangleMesh face;
   std::vector<std::unique_ptr<ShownSurface>> parts;
   CoarseFace coarse_face;
@@ -400,11 +402,15 @@ struct FaceScene::Impl {
     const int size = std::clamp(height / 26, 13, 24);
     const int small = std::max(11, size * 3 / 4);
     label->GetTextProperty()->SetFontSize(size);
+    // A letter is about half as wide as its size; a fifth is left to the marks in the corner.
+    const int letters =
+        std::max(static_cast<int>(0.77 * renderer->GetSize()[0] / (0.52 * size)), 8);
+    label->SetInput(wrapped(label_words, letters).c_str());
     left_letter->GetTextProperty()->SetFontSize(small);
     right_letter->GetTextProperty()->SetFontSize(small);
     bar->GetTitleTextProperty()->SetFontSize(small);
     bar->GetLabelTextProperty()->SetFontSize(small);
-    const int bar_width = std::clamp(height / 8, 56, 90);
+    const int bar_width = std::clamp(std::min(height / 8, renderer->GetSize()[0] / 7), 56, 90);
     bar->SetMaximumWidthInPixels(bar_width);
     bar->SetPosition(1 - (bar_width + 4.0) / std::max(renderer->GetSize()[0], bar_width + 4), 0.15);
   }
@@ -670,6 +676,10 @@ void FaceScene::set_coarse(bool coarse) {
   for (auto& [name, bone] : impl_->bones) impl_->apply_visibility(bone);
 }
 
+bool FaceScene::is_coarse() const {
+  return impl_->coarse;
+}
+
 void FaceScene::remove_bone(const std::string& name) {
   if (const Impl::Bone* bone = impl_->find_bone(name)) {
     for (vtkActor* actor : bone->actors()) impl_->renderer->RemoveActor(actor);
@@ -688,7 +698,7 @@ std::vector<std::string> FaceScene::bone_names() const {
 }
 
 void FaceScene::set_label(const std::string& text) {
-  impl_->label->SetInput(text.c_str());
+  impl_->label_words = text;
 }
 
 void FaceScene::set_orientation_letters(bool visible) {

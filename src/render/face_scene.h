@@ -90,6 +90,7 @@ class FaceScene {
   /// true: bones that have coarse triangles, and a face of many, are drawn with fewer. Switch it on
   /// while a segment is dragged or the camera turns, off at rest.
   void set_coarse(bool coarse);
+  bool is_coarse() const;
   /// The bones alone: for a stroke on the face, which lies on its own triangles.
   void set_coarse_bones(bool coarse);
   void remove_bone(const std::string& name);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include <vtkActor.h>
 #include <vtkActor2D.h>
@@ -21,6 +22,8 @@
 #include <vtkSmartPointer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
+
+#include "render/wrapped_words.h"
 
 namespace gnathion {
 namespace {
@@ -166,6 +169,7 @@ struct ProfileDrawing::Impl {
   vtkSmartPointer<vtkTextActor> before_word = text_of("", false);
   vtkSmartPointer<vtkTextActor> after_word = text_of("", false);
   vtkSmartPointer<vtkTextActor> scale_word = text_of("", false);
+  vtkSmartPointer<vtkTextActor> landmarks_word = text_of("", false);
   std::array<vtkSmartPointer<vtkTextActor>, 4> sides{text_of("P", false), text_of("A", false),
                                                      text_of("H", false), text_of("F", false)};
   std::vector<vtkSmartPointer<vtkTextActor>> names;  ///< of the landmarks
@@ -198,7 +202,7 @@ struct ProfileDrawing::Impl {
   ~Impl() { renderer->RemoveObserver(before_render); }
 
   std::vector<vtkTextActor*> fixed_texts() {
-    std::vector<vtkTextActor*> all{caption, before_word, after_word, scale_word};
+    std::vector<vtkTextActor*> all{caption, before_word, after_word, scale_word, landmarks_word};
     for (const auto& side : sides) all.push_back(side);
     return all;
   }
@@ -237,23 +241,55 @@ struct ProfileDrawing::Impl {
       const Place from = on_paper(landmark.before), to = on_paper(landmark.after);
       rings.push_back(circle(from, 4.5 * pixel));
       for (const double radius : {1.0, 2.0, 3.0, 4.0}) dots.push_back(circle(to, radius * pixel));
-      const double right = std::max(from.x(), to.x()) + 12 * pixel;
-      names[i]->SetPosition(right, to.y());
     }
+    place_names(pixel);
     marks_before.draw(rings);
     marks_after.draw(dots);
+  }
+
+  /// Beside the landmarks, the upper one above, none over another.
+  void place_names(double pixel) {
+    std::vector<std::size_t> order(names.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return profile.landmarks[a].after.z() > profile.landmarks[b].after.z();
+    });
+    double below = 1e9;
+    for (const std::size_t i : order) {
+      const Place from = on_paper(profile.landmarks[i].before);
+      const Place to = on_paper(profile.landmarks[i].after);
+      const double up = std::min(to.y(), below);
+      names[i]->SetPosition(std::max(from.x(), to.x()) + 12 * pixel, up);
+      below = up - 1.15 * names[i]->GetTextProperty()->GetFontSize() * pixel;
+    }
   }
 
   void draw_key(int width, int height, double pixel, double step, double major) {
     const int size = std::clamp(height / 34, 12, 20);
     for (vtkTextActor* text : fixed_texts()) text->GetTextProperty()->SetFontSize(size);
-    caption->GetTextProperty()->SetFontSize(std::clamp(height / 26, 13, 24));
+    const int caption_size = std::clamp(std::min(height / 26, width / 30), 12, 24);
+    caption->GetTextProperty()->SetFontSize(caption_size);
+    // Left of where the nose is.
+    caption->SetInput(
+        wrapped(words.caption, std::max(static_cast<int>(0.6 * width / (0.52 * caption_size)), 12))
+            .c_str());
     for (const auto& name : names) name->GetTextProperty()->SetFontSize(std::max(size - 2, 11));
     const double line = 1.7 * size, left = 0.03 * width, sample = 42;
     const double low = 0.05 * height + 2 * line;
-    key_before.draw(
-        dashed({{left, low + line}, {left + sample, low + line}}, dash_pixels, gap_pixels));
-    key_after.draw({{{left, low}, {left + sample, low}}});
+    std::vector<Line> before_keys =
+        dashed({{left, low + line}, {left + sample, low + line}}, dash_pixels, gap_pixels);
+    std::vector<Line> after_keys{{{left, low}, {left + sample, low}}};
+    if (!profile.landmarks.empty()) {
+      const double row = low + 2 * line;
+      before_keys.push_back(circle({left + 0.25 * sample, row}, 4.5));
+      for (const double radius : {1.0, 2.0, 3.0, 4.0}) {
+        after_keys.push_back(circle({left + 0.75 * sample, row}, radius));
+      }
+      landmarks_word->SetPosition(left + sample + 8, row);
+    }
+    landmarks_word->SetVisibility(!profile.landmarks.empty());
+    key_before.draw(before_keys);
+    key_after.draw(after_keys);
     before_word->SetPosition(left + sample + 8, low + line);
     after_word->SetPosition(left + sample + 8, low);
     const double ruled = major / pixel, y = low - 1.2 * line;
@@ -299,9 +335,9 @@ void ProfileDrawing::show(const Profile& profile) {
 
 void ProfileDrawing::set_words(const ProfileWords& words) {
   impl_->words = words;
-  impl_->caption->SetInput(words.caption.c_str());
   impl_->before_word->SetInput(words.before.c_str());
   impl_->after_word->SetInput(words.after.c_str());
+  impl_->landmarks_word->SetInput(words.landmarks.c_str());
 }
 
 void ProfileDrawing::frame(const Eigen::Vector3d& low, const Eigen::Vector3d& high,

@@ -17,7 +17,19 @@ bool ends_with_any(const std::string& name, std::initializer_list<const char*> e
                      [&name](const char* ending) { return name.ends_with(ending); });
 }
 
+std::string lower_name(const fs::path& path) {
+  std::string name = path.filename().string();
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return name;
+}
+
 }  // namespace
+
+bool is_scan_name(const fs::path& path) {
+  return ends_with_any(lower_name(path), {".obj", ".ply", ".stl", ".glb", ".gltf", ".3ds", ".fbx",
+                                          ".dae", ".off", ".3mf"});
+}
 
 InputKind input_kind(const fs::path& path) {
   std::error_code failure;
@@ -27,11 +39,9 @@ InputKind input_kind(const fs::path& path) {
                 "check the name, its rights, and that its disk is connected");
   }
   if (fs::is_directory(status)) return InputKind::dicom_folder;
-  std::string name = path.filename().string();
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  const std::string name = lower_name(path);
   if (ends_with_any(name, {".json"})) return InputKind::case_file;
-  if (ends_with_any(name, {".obj"})) return InputKind::photograph;
+  if (is_scan_name(path)) return InputKind::photograph;
   if (ends_with_any(name, {".mha", ".mhd", ".nrrd", ".nhdr", ".nii", ".nii.gz"})) {
     return InputKind::volume;
   }
@@ -41,7 +51,8 @@ InputKind input_kind(const fs::path& path) {
   }
   throw Error(ErrorKind::input, path.string(), "is nothing that Gnathion can open",
               "give a folder with DICOM files, a volume (.mha, .mhd, .nrrd, .nhdr, .nii, .nii.gz), "
-              "a photograph (.obj) or a case (.json)");
+              "a photograph (.obj, .ply, .stl, .glb, .gltf, .3ds, .fbx, .dae, .off, .3mf) or a "
+              "case (.json)");
 }
 
 }  // namespace gnathion

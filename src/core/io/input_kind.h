@@ -8,9 +8,13 @@ namespace gnathion {
 enum class InputKind {
   dicom_folder,  ///< a folder: its DICOM series are to be listed
   volume,        ///< .mha, .mhd, .nrrd, .nhdr, .nii, .nii.gz
-  photograph,    ///< .obj
+  photograph,    ///< a face scan: is_scan_name()
   case_file,     ///< .json
 };
+
+/// Whether the name ends like a face scan's: .obj, .ply, .stl, .glb, .gltf, .3ds, .fbx, .dae, .off,
+/// .3mf, capitals or not.
+bool is_scan_name(const std::filesystem::path& path);
 
 /// By its name, capitals or not; nothing is read.
 /// Throws Error(input) when it does not exist, and for any other name with what would do instead.

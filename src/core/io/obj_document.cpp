@@ -16,13 +16,17 @@
 #include <charconv>
 #include <cmath>
 #include <iterator>
-#include <map>
+#include <memory>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string_view>
 
 #include "base/error.h"
+#include "geometry/same_places.h"
 #include "io/files.h"
+#include "io/private_folder.h"
+#include "scan_stream/scan_stream.h"
 
 namespace gnathion {
 namespace {
@@ -102,24 +106,132 @@ ObjDocument ObjDocument::read(const fs::path& path) {
   return parse(path, read_text_file(path));
 }
 
+namespace {
+
+/// The shortest number that reads back as this one, behind a blank.
+template <typename Number>
+void add_number(std::string& text, Number number, char blank = ' ') {
+  std::array<char, 32> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+  (text += blank).append(digits.data(), end);
+}
+
+/// A name as OBJ and MTL can hold it: nothing that ends it.
+std::string one_word(std::string name) {
+  for (char& c : name) {
+    if (static_cast<unsigned char>(c) <= ' ' || c == 127) c = '_';
+  }
+  return name;
+}
+
+}  // namespace
+
 ObjDocument ObjDocument::of_surface(const TriangleMesh& surface, const std::string& name) {
   std::string text = "# " + name + ", millimetres, LPS (x left, y posterior, z superior)\n";
-  const auto add = [&text](auto number) {
-    std::array<char, 32> digits;
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-    (text += ' ').append(digits.data(), end);
-  };
   for (Eigen::Index v = 0; v < surface.vertices.rows(); ++v) {
     text += 'v';
-    for (const double x : surface.vertices.row(v)) add(x);
+    for (const double x : surface.vertices.row(v)) add_number(text, x);
     text += '\n';
   }
   for (Eigen::Index f = 0; f < surface.triangles.rows(); ++f) {
     text += 'f';
-    for (const int v : surface.triangles.row(f)) add(v + 1);
+    for (const int v : surface.triangles.row(f)) add_number(text, v + 1);
     text += '\n';
   }
   return parse(name, std::move(text));
+}
+
+ObjDocument ObjDocument::of_scan(const fs::path& path, const RawScan& scan) {
+  ObjDocument document;
+  document.path_ = path;
+  document.mesh_.surface = scan.surface;
+  document.mesh_.texture_coordinates = scan.texture_coordinates;
+  document.mesh_.corner_texture = scan.corner_texture;
+  document.mesh_.triangle_material = scan.material;
+  document.vertex_colours_ = scan.colours.cwiseMax(0).cwiseMin(1);
+  document.take_materials(scan);
+  document.compose_text(scan);
+  document.weld_split_vertices();
+  return document;
+}
+
+void ObjDocument::take_materials(const RawScan& scan) {
+  std::vector<fs::path> pictures;
+  for (const ScanTexture& texture : scan.textures) {
+    if (texture.inside) {
+      if (inside_ == nullptr) inside_ = std::make_shared<const PrivateFolder>();
+      const std::string name = one_word(fs::path(texture.name).filename().string());
+      write_text_file(inside_->path() / name, texture.bytes);
+      inside_files_.push_back(name);
+      pictures.push_back(inside_->path() / name);
+    } else {
+      require_within(path_.parent_path(), texture.name);
+      texture_files_.push_back(texture.name);
+      pictures.push_back(path_.parent_path() / texture.name);
+    }
+  }
+  std::set<std::string> names;
+  const auto add = [&](std::string name, const Eigen::Vector3d& diffuse, int texture) {
+    name = name.empty() ? "material" : one_word(name);
+    while (!names.insert(name).second) name += '_';
+    material_text_ += "newmtl " + name + "\nKd";
+    for (const double channel : diffuse) add_number(material_text_, channel);
+    material_text_ += '\n';
+    if (texture >= 0) {
+      const ScanTexture& picture = scan.textures[static_cast<std::size_t>(texture)];
+      material_text_ += "map_Kd " + (picture.inside ? one_word(picture.name) : picture.name) + "\n";
+    }
+    mesh_.materials.push_back(
+        {name, diffuse, texture < 0 ? fs::path() : pictures[static_cast<std::size_t>(texture)]});
+  };
+  for (const ScanMaterial& m : scan.materials) add(m.name, m.diffuse, m.texture);
+  // OBJ has no word for "without material" once there was one.
+  auto& of_triangle = mesh_.triangle_material;
+  if (scan.materials.empty() || std::count(of_triangle.begin(), of_triangle.end(), -1) == 0) return;
+  std::replace(of_triangle.begin(), of_triangle.end(), -1, static_cast<int>(scan.materials.size()));
+  add("plain", Material().diffuse, -1);
+}
+
+void ObjDocument::compose_text(const RawScan& scan) {
+  const std::string stem = one_word(path_.stem().string());
+  text_ = "# " + one_word(path_.filename().string()) + " as OBJ, in its own frame and unit\n";
+  if (!mesh_.materials.empty()) {
+    own_material_file_ = stem + ".mtl";
+    text_ += "mtllib " + own_material_file_ + "\n";
+  }
+  const Points& x = mesh_.surface.vertices;
+  text_.reserve(static_cast<std::size_t>(x.rows()) * 60 + scan.material.size() * 44);
+  vertex_lines_.reserve(static_cast<std::size_t>(x.rows()));
+  for (Eigen::Index v = 0; v < x.rows(); ++v) {
+    text_ += 'v';
+    const std::size_t begin = text_.size() + 1;
+    for (const double coordinate : x.row(v)) add_number(text_, coordinate);
+    vertex_lines_.push_back({begin, text_.size()});
+    if (vertex_colours_.rows() > 0) {
+      for (const double channel : vertex_colours_.row(v)) add_number(text_, channel);
+    }
+    text_ += '\n';
+  }
+  for (const auto& uv : mesh_.texture_coordinates.rowwise()) {
+    text_ += "vt";
+    for (const double coordinate : uv) add_number(text_, coordinate);
+    text_ += '\n';
+  }
+  int material = -1;
+  for (Eigen::Index f = 0; f < mesh_.surface.triangles.rows(); ++f) {
+    const int own = mesh_.triangle_material[static_cast<std::size_t>(f)];
+    if (own != material) {
+      text_ += "usemtl " + mesh_.materials[static_cast<std::size_t>(own)].name + "\n";
+      material = own;
+    }
+    text_ += 'f';
+    for (int k = 0; k < 3; ++k) {
+      add_number(text_, mesh_.surface.triangles(f, k) + 1);
+      const int texture = mesh_.corner_texture(f, k);
+      if (texture >= 0) add_number(text_, texture + 1, '/');
+    }
+    text_ += '\n';
+  }
 }
 
 ObjDocument ObjDocument::parse(const fs::path& path, std::string text) {
@@ -135,7 +247,7 @@ ObjDocument ObjDocument::parse(const fs::path& path, std::string text) {
 }
 
 void ObjDocument::find_vertex_lines() {
-  std::vector<double> values;
+  std::vector<double> values, colours;
   const std::string remedy = "mend the file (numbers with a decimal point) or export it again";
   for_lines(text_, "v", [&](std::size_t begin, std::size_t end, int number) {
     while (begin < end && is_blank(text_[begin])) ++begin;
@@ -151,6 +263,9 @@ void ObjDocument::find_vertex_lines() {
       values.push_back(*value);
     }
     vertex_lines_.push_back(line);
+    for (std::size_t at = line.end; at < end;) {
+      if (const auto value = finite_number(next_word(text_, at, end))) colours.push_back(*value);
+    }
   });
   for_lines(text_, "vt", [&](std::size_t begin, std::size_t end, int number) {
     texture_lines_.push_back(begin);
@@ -167,6 +282,15 @@ void ObjDocument::find_vertex_lines() {
   if (values.empty()) refuse(path_, "it has no vertices", "choose a Wavefront OBJ file");
   mesh_.surface.vertices =
       Eigen::Map<const Points>(values.data(), static_cast<Eigen::Index>(values.size() / 3), 3);
+  take_colours(colours);
+}
+
+void ObjDocument::take_colours(const std::vector<double>& colours) {
+  const Eigen::Index count = mesh_.surface.vertices.rows();
+  if (colours.empty() || colours.size() != static_cast<std::size_t>(3 * count)) return;
+  vertex_colours_ = Eigen::Map<const Points>(colours.data(), count, 3);
+  if (vertex_colours_.maxCoeff() > 1) vertex_colours_ /= 255;
+  vertex_colours_ = vertex_colours_.cwiseMax(0).cwiseMin(1);
 }
 
 void ObjDocument::check_faces() const {
@@ -304,12 +428,7 @@ void ObjDocument::read_faces() {
 }
 
 void ObjDocument::weld_split_vertices() {
-  const Points& x = mesh_.surface.vertices;
-  std::map<std::array<double, 3>, int> first_at;
-  welded_to_.resize(static_cast<std::size_t>(x.rows()));
-  for (int v = 0; v < x.rows(); ++v) {
-    welded_to_[v] = first_at.try_emplace({x(v, 0), x(v, 1), x(v, 2)}, v).first->second;
-  }
+  welded_to_ = first_at_same_place(mesh_.surface.vertices);
   // Triangles that welding leaves without area (two corners the same) carry nothing.
   Eigen::Index kept = 0;
   TriangleMesh& surface = mesh_.surface;
@@ -354,18 +473,24 @@ std::string ObjDocument::text_with(const Points& vertices) const {
   return text.append(text_, done, std::string::npos);
 }
 
+std::vector<ObjDocument::Copied> ObjDocument::copied_files() const {
+  std::set<std::string> names(material_files_.begin(), material_files_.end());
+  names.insert(texture_files_.begin(), texture_files_.end());
+  std::vector<Copied> copied;
+  for (const std::string& name : names) copied.push_back({path_.parent_path() / name, name});
+  for (const std::string& name : inside_files_) copied.push_back({inside_->path() / name, name});
+  return copied;
+}
+
 void ObjDocument::write(const fs::path& folder, const std::string& name,
                         const Points& vertices) const {
   write_text_file(folder / name, text_with(vertices));
-  std::vector<std::string> copies = material_files_;
-  copies.insert(copies.end(), texture_files_.begin(), texture_files_.end());
-  std::sort(copies.begin(), copies.end());
-  copies.erase(std::unique(copies.begin(), copies.end()), copies.end());
-  for (const std::string& copy : copies) {
-    const fs::path relative = fs::path(copy).lexically_normal();  // within, as read() saw
+  if (!own_material_file_.empty()) write_text_file(folder / own_material_file_, material_text_);
+  for (const Copied& copy : copied_files()) {
+    const fs::path relative = fs::path(copy.name).lexically_normal();  // within, as read() saw
     std::error_code failure;
     fs::create_directories((folder / relative).parent_path(), failure);
-    fs::copy_file(path_.parent_path() / copy, folder / relative, failure);
+    fs::copy_file(copy.from, folder / relative, failure);
     if (failure) {
       throw Error(ErrorKind::output, (folder / relative).string(), failure.message(),
                   failure == std::errc::file_exists

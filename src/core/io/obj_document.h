@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -8,9 +9,13 @@
 
 namespace gnathion {
 
+class PrivateFolder;
+struct RawScan;
+
 /// A textured photograph as its OBJ file has it. The file's text is kept, so that a changed face is
 /// written with nothing but the coordinates of its `v` lines changed: order, texture coordinates,
-/// faces, groups and materials stay to the letter.
+/// faces, groups and materials stay to the letter. A scan in another format is given the text that
+/// it would have as OBJ.
 class ObjDocument {
  public:
   /// Reads the OBJ, its MTL files and the names of their textures.
@@ -22,11 +27,21 @@ class ObjDocument {
   /// A document that is in no file: a surface without texture, such as the skin of a CT.
   static ObjDocument of_surface(const TriangleMesh& surface, const std::string& name);
 
+  /// A scan in another format: its vertices in order, triangles, materials, colours; the MTL is
+  /// called after the scan. Pictures that the file carries within itself lie in a private folder
+  /// for as long as this document or a copy of it lives. `path` is the scan's. The scan must hold
+  /// together, as what scan_of_bytes() gives does. Throws Error(output) when the pictures cannot be
+  /// put there.
+  static ObjDocument of_scan(const std::filesystem::path& path, const RawScan& scan);
+
   /// The file's own frame and unit: all its vertices in order, polygons triangulated. Vertices at
   /// exactly the same place (a seam that was split) are one vertex to the triangles: the first.
   const TexturedMesh& mesh() const { return mesh_; }
   const std::filesystem::path& path() const { return path_; }
-  /// The OBJ, its MTL files and textures. (Of a document in no file, the first does not exist.)
+  /// n×3, sRGB 0..1, of the vertices; no rows when the file has none. Of an OBJ: the three numbers
+  /// behind the coordinates (`v x y z r g b`) where every vertex has them, in 0..1 or in 0..255.
+  const Points& vertex_colours() const { return vertex_colours_; }
+  /// The scan, its MTL files and textures. (Of a document in no file, the first does not exist.)
   std::vector<std::filesystem::path> files() const;
 
   /// The OBJ's text with other vertices: n×3, file's frame. A row equal to the file's own keeps its
@@ -44,12 +59,22 @@ class ObjDocument {
     std::size_t begin = 0, end = 0;  ///< of the three coordinates in the text
   };
 
+  /// A file that write() copies beside the OBJ.
+  struct Copied {
+    std::filesystem::path from;
+    std::string name;  ///< relative to the OBJ's folder
+  };
+
   static ObjDocument parse(const std::filesystem::path& path, std::string text);
   void find_vertex_lines();  ///< and checks their numbers, and those of texture coordinates
   void check_faces() const;  ///< the parser passes over faces that it cannot use
   void find_materials();
   void read_faces();
   void weld_split_vertices();
+  void take_colours(const std::vector<double>& colours);
+  void take_materials(const RawScan& scan);
+  void compose_text(const RawScan& scan);
+  std::vector<Copied> copied_files() const;
 
   std::filesystem::path path_;
   std::string text_;
@@ -59,7 +84,11 @@ class ObjDocument {
   std::vector<std::string> material_files_;
   std::vector<std::string> texture_files_;
   std::string material_text_;
+  std::string own_material_file_;                ///< a scan's: write() makes it of material_text_
+  std::shared_ptr<const PrivateFolder> inside_;  ///< of a scan's own pictures
+  std::vector<std::string> inside_files_;
   TexturedMesh mesh_;
+  Points vertex_colours_;
 };
 
 }  // namespace gnathion

@@ -21,7 +21,7 @@ struct CtSource {
 };
 
 struct PhotographSource {
-  std::filesystem::path obj;
+  std::filesystem::path obj;       ///< the scan, OBJ or any other format (scan/scan_import.h)
   Similarity lps_from_photograph;  ///< from the file's frame and unit to LPS mm
 
   bool operator==(const PhotographSource&) const = default;

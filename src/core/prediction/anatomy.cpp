@@ -10,6 +10,7 @@
 #include "geometry/triangle_mesh.h"
 #include "imaging/ct_import.h"
 #include "io/files.h"
+#include "scan/scan_import.h"
 
 namespace gnathion {
 namespace {
@@ -57,8 +58,8 @@ Face placed_face(ObjDocument document, const PhotographSource& source) {
 
 }  // namespace
 
-Face photograph_face(const PhotographSource& source) {
-  return placed_face(ObjDocument::read(source.obj), source);
+Face photograph_face(const PhotographSource& source, Progress& progress) {
+  return placed_face(read_scan(source.obj, progress), source);
 }
 
 std::vector<Eigen::Vector3d> Anatomy::pivots() const {
@@ -121,7 +122,7 @@ Face photograph_of(const PhotographSource& source, const Face* known, Progress& 
                : placed_face(known->document, source);
   }
   const auto stage = progress.stage("read photograph");
-  return photograph_face(source);
+  return photograph_face(source, progress);
 }
 
 void add_segment(const PlannedSegment& plan, TriangleMesh mesh, double volume_mm3,

@@ -27,7 +27,8 @@ struct Scan {
         Vector3d(3, -61, 1. / 3)};
     const TriangleMesh surface = test::sphere({0.06, -0.3, 0.01}, 1.6, 3);
     ObjDocument::of_surface(surface, "scan").write(folder.path(), "scan.obj", surface.vertices);
-    face = photograph_face(source);
+    Progress progress;
+    face = photograph_face(source, progress);
   }
   static ObjDocument empty() { return test::face_of(test::sphere({0, 0, 0}, 1, 0)).document; }
 };
@@ -65,8 +66,10 @@ TEST(PhotographFace, OfAnotherUnitIsRefusedByItsSize) {
   Scan scan;
   for (const double scale : {0.05, 5000.0}) {
     scan.source.lps_from_photograph.scale = scale;
-    test::expect_error(ErrorKind::input, {"scan.obj", "mm across", "transform.scale"},
-                       [&] { photograph_face(scan.source); });
+    test::expect_error(ErrorKind::input, {"scan.obj", "mm across", "transform.scale"}, [&] {
+      Progress progress;
+      photograph_face(scan.source, progress);
+    });
   }
 }
 

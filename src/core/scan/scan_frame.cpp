@@ -1,0 +1,224 @@
+#include "scan/scan_frame.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "base/error.h"
+#include "registration/units.h"
+
+namespace gnathion {
+namespace {
+
+std::string in_short(double number) {
+  std::ostringstream text;
+  text.precision(3);
+  text << number;
+  return text.str();
+}
+
+}  // namespace
+
+std::vector<ProposedUnit> scan_units(const Points& vertices) {
+  // A face alone is some 200 mm, a head 260, with shoulders up to 500 along its longest side.
+  constexpr double kLeast = 110, kMost = 900, kSureLeast = 150, kSureMost = 520, kHead = 260;
+  const double size = robust_size(vertices);
+  struct Unit {
+    const char* name;
+    double mm;
+  };
+  std::vector<ProposedUnit> units;
+  for (const Unit unit : {Unit{"mm", 1}, {"m", 1000}, {"cm", 10}, {"inch", 25.4}}) {
+    const double mm = size * unit.mm;
+    if (!(mm >= kLeast && mm <= kMost)) continue;
+    const bool sure = mm >= kSureLeast && mm <= kSureMost;
+    units.push_back({unit.name, unit.mm, sure ? Confidence::high : Confidence::fair,
+                     std::string("in ") + unit.name + " the scan is " + in_short(mm) +
+                         " mm along its longest side, as " +
+                         (mm <= 330 ? "a face or head" : "a head with shoulders") + " is"});
+  }
+  // Inches come last where something else will do: few scanners use them.
+  std::stable_sort(
+      units.begin(), units.end(), [size](const ProposedUnit& a, const ProposedUnit& b) {
+        const auto far = [size](const ProposedUnit& u) {
+          return std::abs(std::log(size * u.mm_per_unit / kHead)) + (u.name == "inch" ? 1 : 0);
+        };
+        return far(a) < far(b);
+      });
+  if (units.size() > 1) {
+    for (ProposedUnit& unit : units) unit.confidence = std::min(unit.confidence, Confidence::fair);
+  }
+  if (units.size() == 1 && units[0].name == "inch") units[0].confidence = Confidence::fair;
+  if (units.empty()) {
+    units.push_back({"", size > 0 ? kHead / size : 1, Confidence::low,
+                     "in no usual unit is the scan as large as a head; with " +
+                         in_short(size > 0 ? kHead / size : 1) +
+                         " mm a unit its longest side is that of one"});
+  }
+  return units;
+}
+
+namespace {
+
+using Eigen::Vector3d;
+constexpr int kCells = 64;
+
+/// Points spread over the surface, the surface's box scaled into 0..1 along its longest side.
+Points spread_points(const TriangleMesh& surface) {
+  std::vector<double> numbers;
+  const Eigen::RowVector3d low =
+      surface.vertices(surface.triangles.reshaped(), Eigen::all).colwise().minCoeff();
+  const double size =
+      (surface.vertices(surface.triangles.reshaped(), Eigen::all).colwise().maxCoeff() - low)
+          .maxCoeff();
+  for (const auto& t : surface.triangles.rowwise()) {
+    const Eigen::RowVector3d a = (surface.vertices.row(t[0]) - low) / size,
+                             b = (surface.vertices.row(t[1]) - low) / size,
+                             c = (surface.vertices.row(t[2]) - low) / size;
+    const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+    const int steps = std::clamp(static_cast<int>(std::ceil(longest * kCells)), 1, 2 * kCells);
+    for (int i = 0; i <= steps; ++i) {
+      for (int j = 0; i + j <= steps; ++j) {
+        const Eigen::RowVector3d p =
+            a + (b - a) * (double(i) / steps) + (c - a) * (double(j) / steps);
+        numbers.insert(numbers.end(), p.begin(), p.end());
+      }
+    }
+  }
+  return Eigen::Map<const Points>(numbers.data(), static_cast<Eigen::Index>(numbers.size() / 3), 3);
+}
+
+int cell_of(double x) {
+  return std::clamp(static_cast<int>(x * kCells), 0, kCells - 1);
+}
+
+/// The share of the cells the surface runs through whose mirror image along the axis has surface in
+/// it or beside it; the mirror stands where this is largest, near the middle.
+double symmetry(const Points& points, int axis) {
+  constexpr int n = kCells / 2;  // coarser: a face is not that symmetric
+  std::array<std::vector<bool>, 2> filled{std::vector<bool>(n * n * n),
+                                          std::vector<bool>(n * n * n)};
+  const auto index = [](const std::array<int, 3>& c) { return (c[0] * n + c[1]) * n + c[2]; };
+  std::vector<std::array<int, 3>> cells;
+  int high = 0;
+  for (const auto& p : points.rowwise()) {
+    const std::array<int, 3> c{cell_of(p[0]) / 2, cell_of(p[1]) / 2, cell_of(p[2]) / 2};
+    if (filled[0][index(c)]) continue;
+    filled[0][index(c)] = true;
+    cells.push_back(c);
+    high = std::max(high, c[axis]);
+    for (int d = -1; d <= 1; ++d) {
+      std::array<int, 3> beside = c;
+      beside[axis] = std::clamp(c[axis] + d, 0, n - 1);
+      filled[1][index(beside)] = true;
+    }
+  }
+  double best = 0;
+  for (int sum = high - 4; sum <= high + 4; ++sum) {
+    int matched = 0;
+    for (std::array<int, 3> c : cells) {
+      c[axis] = sum - c[axis];
+      if (c[axis] >= 0 && c[axis] < n && filled[1][index(c)]) ++matched;
+    }
+    best = std::max(best, static_cast<double>(matched) / static_cast<double>(cells.size()));
+  }
+  return best;
+}
+
+/// How the surface falls away beside its point farthest out in one direction.
+struct Peak {
+  double width = 1;  ///< across the axis of symmetry, to where it is 0.06 lower: of a nose small
+  double above = 1, below = 1;  ///< likewise along the third axis, up and down it
+};
+
+Peak peak_of(const Points& points, int left, int up, int front, int sign) {
+  Eigen::MatrixXd depth = Eigen::MatrixXd::Constant(kCells, kCells, -2);
+  for (const auto& p : points.rowwise()) {
+    double& deepest = depth(cell_of(p[left]), cell_of(p[up]));
+    deepest = std::max(deepest, sign * p[front]);
+  }
+  Eigen::Index x = 0, y = 0;
+  const double top = depth.maxCoeff(&x, &y);
+  const auto walk = [&](Eigen::Index dx, Eigen::Index dy) {
+    int steps = 0;
+    for (Eigen::Index i = x, j = y; i >= 0 && j >= 0 && i < kCells && j < kCells && steps < kCells;
+         i += dx, j += dy) {
+      if (depth(i, j) > -2 && depth(i, j) < top - 0.06) break;
+      ++steps;
+    }
+    return static_cast<double>(steps) / kCells;
+  };
+  return {walk(1, 0) + walk(-1, 0), walk(0, 1), walk(0, -1)};
+}
+
+std::string axis_name(int axis, double sign) {
+  return std::string(sign > 0 ? "+" : "-") + "xyz"[axis];
+}
+
+}  // namespace
+
+ProposedAxes scan_axes(const TriangleMesh& surface) {
+  const Points points = spread_points(surface);
+  std::array<double, 3> mirror{};
+  for (int axis = 0; axis < 3; ++axis) mirror[axis] = symmetry(points, axis);
+  const int left =
+      static_cast<int>(std::max_element(mirror.begin(), mirror.end()) - mirror.begin());
+  const int u = (left + 1) % 3, v = (left + 2) % 3;
+  struct Way {
+    int up, front, sign;
+    Peak peak;
+  };
+  std::vector<Way> ways;
+  for (const auto& [up, front] : {std::pair{u, v}, {v, u}}) {
+    for (const int sign : {1, -1}) {
+      ways.push_back({up, front, sign, peak_of(points, left, up, front, sign)});
+    }
+  }
+  std::stable_sort(ways.begin(), ways.end(),
+                   [](const Way& a, const Way& b) { return a.peak.width < b.peak.width; });
+  const Way& nose = ways.front();
+  const double up_sign = nose.peak.above >= nose.peak.below ? 1 : -1;
+  ProposedAxes axes;
+  axes.lps_from_scan.setZero();
+  axes.lps_from_scan(1, nose.front) = -nose.sign;  // the front is anterior, LPS's −y
+  axes.lps_from_scan(2, nose.up) = up_sign;
+  axes.lps_from_scan.row(0) = axes.lps_from_scan.row(1).cross(axes.lps_from_scan.row(2));
+  std::array<double, 3> sorted = mirror;
+  std::sort(sorted.begin(), sorted.end());
+  const bool clear = sorted[2] - sorted[1] > 0.1 && nose.peak.width < 0.75 * ways[1].peak.width &&
+                     nose.peak.above != nose.peak.below;
+  axes.confidence = clear ? Confidence::fair : Confidence::low;
+  axes.reason = std::string("it is most symmetric along ") + "xyz"[left] +
+                ", has its narrowest peak, which may be the nose, towards " +
+                axis_name(nose.front, nose.sign) + ", and that falls off less steeply towards " +
+                axis_name(nose.up, up_sign);
+  return axes;
+}
+
+Similarity checked_similarity(const Eigen::Matrix4d& lps_from_scan, const std::string& subject) {
+  const auto refuse = [&subject](const char* problem, const char* remedy) {
+    throw Error(ErrorKind::input, subject, problem, remedy);
+  };
+  const Eigen::Matrix3d a = lps_from_scan.topLeftCorner<3, 3>();
+  if (!lps_from_scan.allFinite())
+    refuse("the transform has a number that is not finite", "give 16 numbers");
+  if (lps_from_scan.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
+    refuse("the transform's last row is not 0 0 0 1", "give rotation, scale and translation only");
+  }
+  const double volume = a.determinant();
+  if (volume < 0) {
+    refuse("the transform mirrors the patient: left would be right",
+           "turn the axes instead, with an even number of them reversed");
+  }
+  const double scale = std::cbrt(volume);
+  if (!(scale > 0) || !(a.transpose() * a / (scale * scale)).isIdentity(1e-6)) {
+    refuse("the transform shears the scan or scales its axes differently",
+           "give one scale for all axes and a rotation");
+  }
+  return {scale, a / scale, lps_from_scan.topRightCorner<3, 1>()};
+}
+
+}  // namespace gnathion

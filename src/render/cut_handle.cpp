@@ -174,6 +174,8 @@ struct CutHandle::Impl {
     }
     if (grip.kind == GripKind::turn) {
       share(facing.across) = grip.sign;
+      // Behind the corner: in a profile the ball of the front side stands before it.
+      share(facing.front) *= 0.7;
       // Of a box the upper corners: the lower ones may be hidden by the neck.
       const int third = 3 - facing.front - facing.across;
       if (!is_blade()) share(third) = box.axes(2, third) > 0 ? 1 : -1;

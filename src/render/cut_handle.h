@@ -12,7 +12,7 @@ namespace gnathion {
 
 /// A blade or a box in the view, translucent, with grips for the mouse: the yellow ball before it
 /// moves it in the picture's plane, white balls at its sides make it larger or smaller, the two
-/// green balls at its front corners turn it about its centre. The balls stand where bone rarely
+/// green balls near its front corners turn it about its centre. The balls stand where bone rarely
 /// hides them: at the side that looks forward. mm, LPS.
 ///
 /// The handle only reports; it changes nothing but itself. One thread, the window's own.

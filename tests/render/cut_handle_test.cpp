@@ -105,7 +105,7 @@ TEST_F(CutHandleTest, GreenBallTurnsTheBladeWithItsSeed) {
   blade.half_height = 50;
   blade.seed = {0, 0, -10};
   show(blade);
-  const Eigen::Vector3d corner(30, -50, 0);  // the left one of the front
+  const Eigen::Vector3d corner(30, -35, 0);  // the left one, behind the front
   drag(corner, corner + Eigen::Vector3d(0, 0, 12));
   ASSERT_FALSE(changed.empty());
   const auto turned = std::get<PlateCut>(handle.cut());

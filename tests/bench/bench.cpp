@@ -15,6 +15,7 @@
 #include "bench/models.h"
 #include "bench/registration.h"
 #include "bench/scaling.h"
+#include "bench/scans.h"
 #include "bench/targets.h"
 
 namespace {
@@ -37,7 +38,8 @@ int main(int argc, char** argv) {
   app.add_option("cases", cases, "case files: heads to mesh");
   app.add_option(
          "--only", only,
-         "hard, targets, calibration, models, meshes, elements, scaling, frames; reference: only "
+         "hard, targets, calibration, models, meshes, elements, registration, scans, scaling, "
+         "frames; reference: only "
          "only when named")
       ->take_all();
   app.add_option("--largest", largest, "tets of the largest patch of the scaling");
@@ -51,6 +53,7 @@ int main(int argc, char** argv) {
       {"meshes", [&](const Report& report) { report_mesh_peers(report, cases); }},
       {"elements", [&](const Report& report) { report_elements(report); }},
       {"registration", [&](const Report& report) { failed += report_registration(report, cases); }},
+      {"scans", report_scans},
       {"scaling", [&](const Report& report) { report_scaling(report, largest); }},
       {"frames", [&](const Report& report) { report_frames(report, cases); }},
       {"reference", [&](const Report& report) { report_reference(report, cases); }}};

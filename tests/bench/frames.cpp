@@ -20,9 +20,11 @@ struct FrameTimes {
 
 void fill(FaceScene& scene, const Anatomy& anatomy) {
   scene.set_face(anatomy.face.mesh);
-  scene.set_bone("skull", anatomy.remainder, skull_look, coarse_triangles(anatomy.remainder, kQuickSkull));
+  scene.set_bone("skull", anatomy.remainder, skull_look,
+                 coarse_triangles(anatomy.remainder, kQuickSkull));
   for (const BoneSegment& segment : anatomy.segments) {
-    scene.set_bone(segment.name, segment.mesh, segment_look, coarse_triangles(segment.mesh, kQuickSegment));
+    scene.set_bone(segment.name, segment.mesh, segment_look,
+                   coarse_triangles(segment.mesh, kQuickSegment));
   }
   scene.look_from(CameraPreset::three_quarter, double(kWidth) / kHeight);
 }

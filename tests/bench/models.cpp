@@ -353,7 +353,9 @@ void add_reference(const Report& report, const Scene& scene, Table& sure) {
   Table table({"vertex", "x, mm", "y, mm", "z, mm"});
   for (std::size_t i = 0; i < reference.vertices.size(); ++i) {
     const auto u = reference.displacements.row(static_cast<Eigen::Index>(i));
-    table.add({static_cast<double>(reference.vertices[i]), u[0], u[1], u[2]});
+    const auto rounded = [](double mm) { return std::round(1e4 * mm) / 1e4; };
+    table.add(
+        {static_cast<double>(reference.vertices[i]), rounded(u[0]), rounded(u[1]), rounded(u[2])});
   }
   write_text_file(report.folder() / (scene.file + ".csv"), table.csv());
   const Points change = reference_of(scene, scene.fine, Strain::small).displacements -

@@ -9,7 +9,8 @@ namespace gnathion::bench {
 /// are left out, and named.
 void report_models(const Report& report, const std::vector<std::string>& cases);
 
-/// Computes the references, minutes and gigabytes, into reference-*.csv, and says how sure they are.
+/// Computes the references, minutes and gigabytes, into reference-*.csv, and says how sure they
+/// are.
 void report_reference(const Report& report, const std::vector<std::string>& cases);
 
 }  // namespace gnathion::bench

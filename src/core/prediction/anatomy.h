@@ -48,8 +48,8 @@ struct Anatomy {
 /// The plan's motions of the segments, LPS mm.
 std::vector<RigidMotion> planned_motions(const SurgicalCase& plan, const Anatomy& anatomy);
 
-/// The face alone. Throws Error(input) as read_scan(), Error(cancelled), and Error(input) when the face in LPS is smaller
-/// than 60 mm or larger than 1500 mm: then its unit is another.
+/// The face alone. Throws Error(input) as read_scan(), Error(cancelled), and Error(input) when the
+/// face in LPS is smaller than 60 mm or larger than 1500 mm: then its unit is another.
 Face photograph_face(const PhotographSource& source, Progress& progress);
 
 /// An anatomy that stands, and the plan that it was made from.

@@ -28,6 +28,7 @@ class Exports;
 class FaceView;
 class MotionPanel;
 class RegionPanel;
+class RegistrationPanel;
 
 /// The window: it shows the controller's model and turns what the user does into calls of it.
 class MainWindow : public QMainWindow {
@@ -64,6 +65,7 @@ class MainWindow : public QMainWindow {
   void ask_export();
   void ask_picture();
   void save_picture(const QString& file, int scale);
+  void ask_tissue();
   void show_about();
 
   void show_case();
@@ -82,6 +84,7 @@ class MainWindow : public QMainWindow {
 
   std::unique_ptr<Ui::MainWindow> ui_;
   MotionPanel* panel_ = nullptr;
+  RegistrationPanel* registration_panel_ = nullptr;
   BonePanel* bone_panel_ = nullptr;
   RegionPanel* region_panel_ = nullptr;
   ComparePanel* compare_panel_ = nullptr;

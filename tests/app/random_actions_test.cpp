@@ -1,0 +1,280 @@
+// A user without a plan: random clicks, keys, numbers and drags on everything that can be seen,
+// from a fixed seed. Nothing may crash, no state may be invalid, and in the end the case can still
+// be saved and read back. Arguments of the form seed=N, actions=N change the defaults.
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDialog>
+#include <QFileDialog>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QOpenGLWidget>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTabBar>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QWheelEvent>
+#include <random>
+
+#include "app/display.h"
+#include "app/face_view.h"
+#include "app/main_window.h"
+#include "demo/demo_case.h"
+#include "io/case_file.h"
+
+namespace gnathion::test {
+namespace {
+
+int actions = 500;
+unsigned seed = 20161122;
+
+/// Does one random thing after another to a window.
+class Monkey {
+ public:
+  Monkey(MainWindow& window, unsigned first) : window_(window), random_(first) {}
+
+  /// What was done, for the message of a failure.
+  QString act() {
+    if (QWidget* dialog = QApplication::activeModalWidget()) return dismiss(dialog);
+    switch (below(10)) {
+      case 0:
+      case 1:
+        return trigger();
+      case 2:
+      case 3:
+        return drag_in_view();
+      case 4:
+        return wheel();
+      case 5:
+        return key();
+      default:
+        return use_widget();
+    }
+  }
+
+ private:
+  int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_); }
+  template <typename T>
+  T* any(const QList<T*>& all) {
+    return all.isEmpty() ? nullptr : all[below(all.size())];
+  }
+
+  static QString dismiss(QWidget* dialog) {
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    return "Escape in " + dialog->objectName();
+  }
+
+  /// Menu entries and tools, but those that end the window or replace its case.
+  QString trigger() {
+    static const QStringList left_out{"quit_action", "demo_action"};
+    QList<QAction*> all;
+    for (QAction* action : window_.findChildren<QAction*>()) {
+      if (action->isEnabled() && !action->isSeparator() && !action->menu() &&
+          !action->objectName().isEmpty() && !left_out.contains(action->objectName()) &&
+          !action->objectName().startsWith("recent")) {
+        all << action;
+      }
+    }
+    QAction* action = any(all);
+    if (action == nullptr) return "no action";
+    action->trigger();
+    return "action " + action->objectName();
+  }
+
+  QPoint place_in(const QWidget* widget) {
+    return {below(std::max(widget->width(), 1)), below(std::max(widget->height(), 1))};
+  }
+
+  QString drag_in_view() {
+    QWidget* canvas = window_.face_view().canvas();
+    if (!canvas->isVisible()) return "no canvas";
+    const Qt::MouseButton button = below(4) == 0 ? Qt::RightButton : Qt::LeftButton;
+    const Qt::KeyboardModifiers keys = below(4) == 0 ? Qt::ShiftModifier : Qt::NoModifier;
+    const QPoint from = place_in(canvas), to = place_in(canvas);
+    QTest::mouseMove(canvas, from);
+    QTest::mousePress(canvas, button, keys, from);
+    for (int step = 1; step <= 5; ++step) {
+      const QPoint at = from + (to - from) * step / 5;
+      QMouseEvent move(QEvent::MouseMove, at, canvas->mapToGlobal(at), Qt::NoButton, button, keys);
+      QApplication::sendEvent(canvas, &move);
+      if (below(3) == 0) QTest::qWait(1);
+    }
+    QTest::mouseRelease(canvas, button, keys, to);
+    return QString("drag from %1,%2 to %3,%4").arg(from.x()).arg(from.y()).arg(to.x()).arg(to.y());
+  }
+
+  QString wheel() {
+    QWidget* over = any(visible<QWidget>());
+    if (over == nullptr) return "nothing to scroll";
+    const QPoint at = place_in(over);
+    QWheelEvent event(at, over->mapToGlobal(at), {}, {0, below(2) == 0 ? 120 : -120}, Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(over, &event);
+    return "wheel over " + over->objectName();
+  }
+
+  QString key() {
+    static const QList<Qt::Key> keys{Qt::Key_Tab, Qt::Key_R,  Qt::Key_X,    Qt::Key_Up,
+                                     Qt::Key_1,   Qt::Key_3,  Qt::Key_7,    Qt::Key_Down,
+                                     Qt::Key_Y,   Qt::Key_Z,  Qt::Key_Left, Qt::Key_Escape,
+                                     Qt::Key_F1,  Qt::Key_F6, Qt::Key_Space};
+    const Qt::Key pressed = keys[below(keys.size())];
+    QWidget* to = QApplication::focusWidget();
+    if (to == nullptr || !window_.isAncestorOf(to)) to = &window_;
+    QTest::keyClick(to, pressed, below(5) == 0 ? Qt::ControlModifier : Qt::NoModifier);
+    return QString("key %1 in %2").arg(pressed).arg(to->objectName());
+  }
+
+  template <typename T>
+  QList<T*> visible() const {
+    QList<T*> all;
+    for (T* widget : window_.findChildren<T*>()) {
+      if (widget->isVisible() && widget->isEnabled()) all << widget;
+    }
+    return all;
+  }
+
+  QString use_widget() {
+    switch (below(5)) {
+      case 0:
+        if (auto* bar = any(visible<QTabBar>())) {
+          bar->setCurrentIndex(below(bar->count()));
+          return "tab " + bar->tabText(bar->currentIndex());
+        }
+        break;
+      case 1:
+        if (auto* box = any(visible<QAbstractSpinBox>())) {
+          box->setFocus();
+          box->selectAll();
+          QTest::keyClicks(box, QString::number(below(600) / 10.0 - 30, 'f', 1));
+          QTest::keyClick(box, Qt::Key_Return);
+          return "number in " + box->objectName();
+        }
+        break;
+      case 2:
+        if (auto* slider = any(visible<QSlider>())) {
+          slider->setValue(slider->minimum() + below(slider->maximum() - slider->minimum() + 1));
+          return "slider " + slider->objectName();
+        }
+        break;
+      case 3:
+        if (auto* box = any(visible<QComboBox>()); box != nullptr && box->count() > 0) {
+          box->setCurrentIndex(below(box->count()));
+          return "choice in " + box->objectName();
+        }
+        break;
+      default:
+        break;
+    }
+    auto* button = any(visible<QAbstractButton>());
+    if (button == nullptr) return "no button";
+    // Not by the mouse: a button with a menu would wait for an answer within its press.
+    button->click();
+    return "button " + button->objectName();
+  }
+
+  MainWindow& window_;
+  std::mt19937 random_;
+};
+
+/// What must hold whatever was done; empty when it does.
+QString broken(const CaseController& model) {
+  if (!model.has_case()) return "the case is gone";
+  const LoadedCase& loaded = model.loaded();
+  const std::size_t segments = loaded.anatomy->segments.size();
+  if (model.motions().size() != segments) return "not one motion a segment";
+  if (segments > 0 && model.active_segment() >= segments) return "no such active segment";
+  if (model.response().poses.size() != segments) return "not one pose a segment";
+  const Points& face = model.response().face;
+  if (face.rows() != loaded.anatomy->face.mesh.surface.vertices.rows()) return "another face";
+  if (!face.allFinite()) return "the face is not finite";
+  for (const JawMotion& motion : model.motions()) {
+    for (const double shift : {motion.forward_mm, motion.up_mm, motion.left_mm}) {
+      if (!(std::abs(shift) <= largest_shift_mm)) return "a motion beyond its limit";
+    }
+  }
+  const PlanHistory& history = model.history();
+  if (history.position() >= history.steps().size()) return "no such step";
+  if ((model.refinement() == Refinement::done) != (model.refined() != nullptr)) {
+    return "refined and not refined";
+  }
+  return {};
+}
+
+}  // namespace
+
+class RandomActionsTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void nothingBreaks();
+};
+
+void RandomActionsTest::nothingBreaks() {
+  const QTemporaryDir folder;
+  const std::filesystem::path path = folder.path().toStdString() + "/case";
+  Progress progress;
+  write_demo_case(2, path, progress);
+  SurgicalCase plan = read_case_file(path / "case.json");
+  plan.tissue.strain = Strain::small;  // an answer in a second: more states in the same time
+  write_case_file(plan, path / "case.json");
+  MainWindow window;
+  window.resize(1280, 800);
+  window.show();
+  QVERIFY(QTest::qWaitForWindowExposed(&window));
+  const QSignalSpy opened(&window.controller(), &CaseController::case_opened);
+  window.open_case(QString::fromStdString((path / "case.json").string()));
+  QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 240000);
+  Monkey monkey(window, seed);
+  QStringList done;
+  for (int i = 0; i < actions; ++i) {
+    done << monkey.act();
+    QTest::qWait(i % 10 == 0 ? 120 : 5);
+    if (!window.isVisible()) window.show();
+    const QString problem = broken(window.controller());
+    QVERIFY2(problem.isEmpty(),
+             qPrintable(problem + " after " + QStringList(done.mid(done.size() - 12)).join(", ")));
+  }
+  while (QWidget* dialog = QApplication::activeModalWidget()) {
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    QTest::qWait(50);
+  }
+  CaseController& model = window.controller();
+  QTRY_VERIFY_WITH_TIMEOUT(!model.is_working(), 240000);
+  const QSignalSpy saved(&model, &CaseController::saved);
+  const std::filesystem::path copy = path / "after.json";
+  model.save_case(copy);
+  QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, 60000);
+  QVERIFY(read_case_history(copy).plan() == model.plan());
+  qInfo("%d actions, %zu steps in the history", actions, model.history().steps().size());
+}
+
+}  // namespace gnathion::test
+
+int main(int argc, char** argv) {
+  QCoreApplication::setApplicationName("gnathion");
+  const QTemporaryDir home;  // settings, cache and recovery are written there
+  for (const char* folder : {"XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME"}) {
+    qputenv(folder, home.path().toLocal8Bit());
+  }
+  gnathion::prepare_graphics();
+  QApplication app(argc, argv);
+  gnathion::use_c_numbers();
+  std::vector<char*> rest;
+  for (int i = 0; i < argc; ++i) {
+    const QString word = argv[i];
+    if (word.startsWith("seed=")) {
+      gnathion::test::seed = word.mid(5).toUInt();
+    } else if (word.startsWith("actions=")) {
+      gnathion::test::actions = word.mid(8).toInt();
+    } else {
+      rest.push_back(argv[i]);
+    }
+  }
+  gnathion::test::RandomActionsTest test;
+  return QTest::qExec(&test, static_cast<int>(rest.size()), rest.data());
+}
+
+#include "random_actions_test.moc"

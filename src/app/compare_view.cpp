@@ -125,7 +125,8 @@ void CompareView::set_mode(CompareMode mode) {
 void CompareView::fill_before() {
   const Anatomy& anatomy = *shown_->anatomy;
   FaceScene& before = scene_.before();
-  before.set_face(anatomy.face.mesh, anatomy.face.document.path().string());
+  before.set_face(anatomy.face.mesh, anatomy.face.document.path().string(),
+                  anatomy.face.document.vertex_colours());
   before.remove_bones();
   before.set_bone("skull", anatomy.remainder, skull_look, shown_->coarse_skull);
   for (std::size_t s = 0; s < anatomy.segments.size(); ++s) {

@@ -179,7 +179,7 @@ void FaceView::show_case(const LoadedCase& loaded) {
 
 void FaceView::show_anatomy(const LoadedCase& loaded) {
   const Face& face = loaded.anatomy->face;
-  scene_.set_face(face.mesh, face.document.path().string());
+  scene_.set_face(face.mesh, face.document.path().string(), face.document.vertex_colours());
   rest_ = face.mesh.surface.vertices;
   scene_.remove_bones();
   scene_.set_bone("skull", loaded.anatomy->remainder, skull_look, loaded.coarse_skull);

@@ -35,6 +35,7 @@ std::filesystem::path path_of(const QString& file) {
 }
 
 bool has_texture(const LoadedCase& loaded) {
+  if (loaded.anatomy->face.document.vertex_colours().rows() > 0) return true;
   const std::vector<Material>& materials = loaded.anatomy->face.mesh.materials;
   return std::any_of(materials.begin(), materials.end(),
                      [](const Material& material) { return !material.texture.empty(); });

@@ -24,7 +24,8 @@ std::unique_ptr<FaceScene> scene_of(const LoadedCase& loaded, const Points& face
                                     const TurntableWish& wish) {
   const Anatomy& anatomy = *loaded.anatomy;
   auto scene = std::make_unique<FaceScene>();
-  scene->set_face(anatomy.face.mesh, anatomy.face.document.path().string());
+  scene->set_face(anatomy.face.mesh, anatomy.face.document.path().string(),
+                  anatomy.face.document.vertex_colours());
   scene->set_face_points(face);
   scene->set_face_textured(wish.textured);
   if (!wish.with_bone) return scene;

@@ -70,6 +70,17 @@ int main(int argc, char** argv) {
   place->add_option("--landmarks", choices.landmarks, "a file of pairs to begin from and judge by");
   place->add_option("--stable", choices.stable, "a file of the vertices that decide");
   place->add_flag("--accept-doubts", choices.accept_doubts, "take a doubtful registration");
+  std::string format = "obj";
+  ScanRepairChoices repairs;
+  CLI::App* scan = verb("scan", "look at a face scan; convert or repair it", "FILE", false);
+  scan->add_option("OUTPUT", output, "a new folder")->check(not_empty);
+  scan->add_option("--as", format, "obj, glb or ply")->check(CLI::IsMember({"obj", "glb", "ply"}));
+  scan->add_flag("--merge-duplicates", repairs.merge_duplicates, "vertices at the same place");
+  scan->add_flag("--drop-degenerate", repairs.drop_degenerate, "triangles without area");
+  scan->add_flag("--drop-unreferenced", repairs.drop_unreferenced, "vertices in no triangle");
+  scan->add_flag("--orient", repairs.orient, "turn triangles that face inward");
+  scan->add_option("--islands-below", repairs.islands_below, "remove pieces smaller than this");
+  scan->add_option("--fill-holes", repairs.fill_holes, "close borders no longer than this");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -95,6 +106,11 @@ int main(int argc, char** argv) {
     if (name == "region") region_verb(input, output, std::cout, progress);
     if (name == "mesh") mesh_verb(input, output, std::cout, progress);
     if (name == "predict") predict_verb(input, output, !no_pictures, std::cout, progress);
+    if (name == "scan") {
+      const auto target =
+          output.empty() ? std::nullopt : std::optional<std::filesystem::path>(output);
+      scan_verb(input, target, format, repairs, std::cout, progress);
+    }
     if (name == "register") register_verb(input, output, choices, std::cout, progress);
     if (name == "settle") {
       settle_verb(input, output, settling, !no_pictures, std::cout, progress);

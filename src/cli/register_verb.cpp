@@ -9,6 +9,7 @@
 #include "io/case_file.h"
 #include "io/files.h"
 #include "io/obj_document.h"
+#include "scan/scan_import.h"
 
 namespace gnathion {
 namespace {
@@ -136,7 +137,7 @@ void register_verb(const fs::path& case_file, const fs::path& target,
                 "give photograph.obj");
   }
   NewFolder folder(target);
-  const ObjDocument document = ObjDocument::read(plan.photograph->obj);
+  const ObjDocument document = read_scan(plan.photograph->obj, progress);
   const Registration r = registered(plan, document.mesh().surface, choices, progress);
   print(r, out);
   if (!r.trusted() && !choices.accept_doubts) {

@@ -66,7 +66,8 @@ void write_step(const SurgicalCase& plan, const fs::path& target, std::ostream& 
 
 /// Puts the face before any motion, and the bones in their poses, into a scene.
 void show(const Anatomy& anatomy, const std::vector<RigidMotion>& motions, FaceScene& scene) {
-  scene.set_face(anatomy.face.mesh, anatomy.face.document.path().filename().string());
+  scene.set_face(anatomy.face.mesh, anatomy.face.document.path().filename().string(),
+                 anatomy.face.document.vertex_colours());
   scene.set_bone("skull", anatomy.remainder, skull_look);
   for (std::size_t s = 0; s < anatomy.segments.size(); ++s) {
     const std::string name = "segment " + anatomy.segments[s].name;

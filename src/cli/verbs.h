@@ -66,4 +66,18 @@ struct RegisterChoices {
 void register_verb(const std::filesystem::path& case_file, const std::filesystem::path& target,
                    const RegisterChoices& choices, std::ostream& out, Progress& progress);
 
+/// Repairs of a scan, each asked for by name; lengths in the scan's unit.
+struct ScanRepairChoices {
+  bool merge_duplicates = false, drop_degenerate = false, drop_unreferenced = false, orient = false;
+  std::optional<double> islands_below, fill_holes;
+
+  bool any() const;
+};
+
+/// Says what a face scan holds: counts, materials, size, proposed unit and axes, what is wrong with
+/// it. With a target: writes it there, repaired as asked, as `format` ("obj", "glb", "ply").
+void scan_verb(const std::filesystem::path& file,
+               const std::optional<std::filesystem::path>& target, const std::string& format,
+               const ScanRepairChoices& choices, std::ostream& out, Progress& progress);
+
 }  // namespace gnathion

@@ -26,6 +26,7 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkTexture.h>
+#include <vtkUnsignedCharArray.h>
 #include <Eigen/Geometry>
 
 #include "base/error.h"
@@ -74,6 +75,7 @@ struct ShownSurface {
   vtkNew<vtkPolyDataMapper> mapper;
   vtkNew<vtkActor> actor;
   vtkSmartPointer<vtkTexture> texture;
+  vtkSmartPointer<vtkUnsignedCharArray> paint;  ///< colours of the vertices
   Eigen::Vector3d plain_colour = skin;
 
   ShownSurface(std::vector<int> vertex_of, const Triangles& triangles)
@@ -150,6 +152,21 @@ std::unique_ptr<ShownSurface> show_part(const TexturedMesh& face, const SurfaceP
   add_texture(part, !part.uv.empty() ? load_texture(material.texture) : nullptr,
               textured ? skin : material.diffuse, *shown);
   return shown;
+}
+
+/// Gives the surface the colours of its vertices: n×3, 0..1. No rows: none.
+void add_paint(const Points& colours, ShownSurface& shown) {
+  if (colours.rows() == 0) return;
+  shown.paint = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  shown.paint->SetName("paint");
+  shown.paint->SetNumberOfComponents(3);
+  shown.paint->SetNumberOfTuples(static_cast<vtkIdType>(shown.vertex.size()));
+  unsigned char* out = shown.paint->GetPointer(0);
+  for (const int row : shown.vertex) {
+    for (const double channel : colours.row(row)) {
+      *out++ = static_cast<unsigned char>(std::lround(255 * std::clamp(channel, 0.0, 1.0)));
+    }
+  }
 }
 
 /// The face with fewer triangles: its vertices that they use, and what is drawn.
@@ -457,9 +474,15 @@ struct FaceScene::Impl {
   void refresh_face_look() {
     for (ShownSurface* part : all_parts()) {
       vtkProperty* property = part->actor->GetProperty();
-      const bool photograph = face_textured && !colour_map && part->texture;
-      part->actor->SetTexture(photograph ? part->texture.Get() : nullptr);
-      part->mapper->SetScalarVisibility(colour_map);
+      const bool as_taken = face_textured && !colour_map;
+      const bool painted = as_taken && !part->texture && part->paint;
+      const bool photograph = as_taken && (part->texture || painted);
+      part->actor->SetTexture(as_taken ? part->texture.Get() : nullptr);
+      if (painted) {
+        part->data->GetPointData()->SetScalars(part->paint);
+        part->mapper->InterpolateScalarsBeforeMappingOff();  // they are colours, not values
+      }
+      part->mapper->SetScalarVisibility(colour_map || painted);
       if (photograph) {
         set_colour(property, Eigen::Vector3d::Ones());
         shine(property, 0.30, 0.78, 0.04);  // much of the light is already in the photograph
@@ -533,16 +556,26 @@ vtkRenderer* FaceScene::renderer() const {
   return impl_->renderer;
 }
 
-void FaceScene::set_face(const TexturedMesh& face, const std::string& name) {
+void FaceScene::set_face(const TexturedMesh& face, const std::string& name,
+                         const Points& vertex_colours) {
   check_face(face, name);
+  if (vertex_colours.rows() != 0 && vertex_colours.rows() != face.surface.vertices.rows()) {
+    throw Error(ErrorKind::input, name, "colours and vertices differ in number",
+                "export the scan again");
+  }
   const Points normals = vertex_normals(face.surface);
   std::vector<std::unique_ptr<ShownSurface>> parts;
   const std::vector<SurfacePart> split = split_by_corner(face);
   for (const SurfacePart& part : split) {
     parts.push_back(show_part(face, part));
     parts.back()->move_to(face.surface.vertices, normals);
+    add_paint(vertex_colours, *parts.back());
   }
   CoarseFace coarse = coarse_face(face, split, parts);
+  if (vertex_colours.rows() > 0) {
+    const Points of_coarse = vertex_colours(coarse.vertex, Eigen::all);
+    for (const auto& part : coarse.parts) add_paint(of_coarse, *part);
+  }
   coarse.move_to(face.surface.vertices);
   impl_->clear_face();
   impl_->face = face.surface;

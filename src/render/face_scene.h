@@ -48,7 +48,9 @@ class FaceScene {
   /// messages, usually the photograph's file.
   /// Throws Error(input) when the mesh cannot be shown (check_face() in render/split_surface.h) or
   /// a texture is missing or unreadable (naming that file); the scene is then unchanged.
-  void set_face(const TexturedMesh& face, const std::string& name = "face");
+  /// vertex_colours: n×3, sRGB 0..1, shown where there is no texture; no rows: none.
+  void set_face(const TexturedMesh& face, const std::string& name = "face",
+                const Points& vertex_colours = {});
 
   /// New positions for the face's vertices, for live dragging: positions and normals only, nothing
   /// is rebuilt. points: n×3 as the face's own.

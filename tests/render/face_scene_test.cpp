@@ -93,6 +93,29 @@ TEST_F(SceneTest, MovedPointsLookLikeAFaceMadeOfThem) {
   EXPECT_EQ(updated, render_picture(fresh, CameraPreset::front, 320, 320));
 }
 
+TEST_F(SceneTest, VertexColoursAreShownWhereThereIsNoTexture) {
+  TexturedMesh plain = head;
+  for (Material& material : plain.materials) material.texture.clear();
+  Points colours = Points::Zero(head.surface.vertices.rows(), 3);
+  for (Eigen::Index v = 0; v < colours.rows(); ++v) {
+    colours(v, head.surface.vertices(v, 0) > 0 ? 1 : 0) = 0.8;  // the patient's left is green
+  }
+  scene.set_face(plain, "face", colours);
+  const auto green = [](const std::uint8_t* c) { return c[1] > c[0] + 60 && c[1] > c[2] + 60; };
+  const auto red = [](const std::uint8_t* c) { return c[0] > c[1] + 60 && c[0] > c[2] + 60; };
+  const Picture painted = front();
+  EXPECT_GT(mean_column(painted, green), 170);
+  EXPECT_LT(mean_column(painted, red), 150);
+  // A colour map takes their place and gives it back; without the photograph they are not shown.
+  scene.show_colour_map(Eigen::VectorXd::Zero(colours.rows()), 5);
+  EXPECT_EQ(mean_column(front(), green), -1);
+  scene.hide_colour_map();
+  EXPECT_EQ(front(), painted);
+  scene.set_face_textured(false);
+  EXPECT_EQ(mean_column(front(), green), -1);
+  EXPECT_THROW(scene.set_face(plain, "face", colours.topRows(3)), Error);
+}
+
 TEST_F(SceneTest, RefusesWrongPoints) {
   scene.set_face(head);
   const Picture before = front();

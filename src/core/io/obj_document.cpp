@@ -267,18 +267,26 @@ void ObjDocument::find_vertex_lines() {
       if (const auto value = finite_number(next_word(text_, at, end))) colours.push_back(*value);
     }
   });
+  std::vector<double> texture;
   for_lines(text_, "vt", [&](std::size_t begin, std::size_t end, int number) {
     texture_lines_.push_back(begin);
     std::string_view word = next_word(text_, begin, end);
+    std::array<double, 3> uvw{};  // the third is for solid textures, and not used
+    std::size_t read = 0;
     do {
-      if (!finite_number(word)) {
+      const auto value = finite_number(word);
+      if (!value) {
         refuse(path_,
                "line " + std::to_string(number) + ": a texture coordinate is not a finite number",
                remedy);
       }
+      if (read < uvw.size()) uvw[read++] = *value;
       word = next_word(text_, begin, end);
     } while (!word.empty());
+    texture.insert(texture.end(), uvw.begin(), uvw.begin() + 2);
   });
+  mesh_.texture_coordinates = Eigen::Map<const decltype(mesh_.texture_coordinates)>(
+      texture.data(), static_cast<Eigen::Index>(texture.size() / 2), 2);
   if (values.empty()) refuse(path_, "it has no vertices", "choose a Wavefront OBJ file");
   mesh_.surface.vertices =
       Eigen::Map<const Points>(values.data(), static_cast<Eigen::Index>(values.size() / 3), 3);
@@ -381,11 +389,8 @@ void ObjDocument::read_faces() {
   if (reader.Warning().find("invalid vertex index") != std::string::npos) {
     refuse(path_, "a face stands before its vertices", "export the photograph again as OBJ");
   }
-  const tinyobj::attrib_t& attributes = reader.GetAttrib();
   const auto vertex_count = static_cast<int>(mesh_.surface.vertices.rows());
-  const auto texture_count = static_cast<int>(attributes.texcoords.size() / 2);
-  mesh_.texture_coordinates = Eigen::Map<const decltype(mesh_.texture_coordinates)>(
-      attributes.texcoords.data(), texture_count, 2);
+  const auto texture_count = static_cast<int>(mesh_.texture_coordinates.rows());
   std::vector<std::array<int, 3>> corners, textures;
   for (const tinyobj::shape_t& shape : reader.GetShapes()) {
     for (std::size_t f = 0; 3 * f + 2 < shape.mesh.indices.size(); ++f) {

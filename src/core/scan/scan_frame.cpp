@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "geometry/triangle_mesh.h"
 #include "registration/units.h"
 
 namespace gnathion {
@@ -51,7 +52,11 @@ std::vector<ProposedUnit> scan_units(const Points& vertices) {
   if (units.size() > 1) {
     for (ProposedUnit& unit : units) unit.confidence = std::min(unit.confidence, Confidence::fair);
   }
-  if (units.size() == 1 && units[0].name == "inch") units[0].confidence = Confidence::fair;
+  for (ProposedUnit& unit : units) {
+    if (unit.name != "inch") continue;
+    unit.confidence = Confidence::low;
+    unit.reason += "; few scanners use inches, and some use no unit at all";
+  }
   if (units.empty()) {
     units.push_back({"", size > 0 ? kHead / size : 1, Confidence::low,
                      "in no usual unit is the scan as large as a head; with " +
@@ -65,10 +70,28 @@ namespace {
 
 using Eigen::Vector3d;
 constexpr int kCells = 64;
+constexpr int kSteps = 12;  // of the profile through the nose, on either side
+
+/// Points on the surface and the normals there.
+struct Spread {
+  Points points, normals;
+
+  /// Those whose surface looks along the axis rather than aside: the edge of an open scan is no
+  /// peak when it is seen from behind.
+  Points facing(int axis, int forward) const {
+    std::vector<int> rows;
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+      if (forward * normals(i, axis) > 0.3) rows.push_back(static_cast<int>(i));
+    }
+    return points(rows, Eigen::all);
+  }
+};
 
 /// Points spread over the surface, the surface's box scaled into 0..1 along its longest side.
-Points spread_points(const TriangleMesh& surface) {
-  std::vector<double> numbers;
+Spread spread_points(const TriangleMesh& surface) {
+  std::vector<double> numbers, normals;
+  const Points of_triangle = triangle_normals(surface);
+  Eigen::Index f = 0;
   const Eigen::RowVector3d low =
       surface.vertices(surface.triangles.reshaped(), Eigen::all).colwise().minCoeff();
   const double size =
@@ -79,16 +102,20 @@ Points spread_points(const TriangleMesh& surface) {
                              b = (surface.vertices.row(t[1]) - low) / size,
                              c = (surface.vertices.row(t[2]) - low) / size;
     const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-    const int steps = std::clamp(static_cast<int>(std::ceil(longest * kCells)), 1, 2 * kCells);
+    const int steps = std::clamp(static_cast<int>(std::ceil(2 * longest * kCells)), 1, 4 * kCells);
     for (int i = 0; i <= steps; ++i) {
       for (int j = 0; i + j <= steps; ++j) {
         const Eigen::RowVector3d p =
             a + (b - a) * (double(i) / steps) + (c - a) * (double(j) / steps);
         numbers.insert(numbers.end(), p.begin(), p.end());
+        normals.insert(normals.end(), of_triangle.row(f).begin(), of_triangle.row(f).end());
       }
     }
+    ++f;
   }
-  return Eigen::Map<const Points>(numbers.data(), static_cast<Eigen::Index>(numbers.size() / 3), 3);
+  const auto count = static_cast<Eigen::Index>(numbers.size() / 3);
+  return {Eigen::Map<const Points>(numbers.data(), count, 3),
+          Eigen::Map<const Points>(normals.data(), count, 3)};
 }
 
 int cell_of(double x) {
@@ -131,27 +158,45 @@ double symmetry(const Points& points, int axis) {
 /// How the surface falls away beside its point farthest out in one direction.
 struct Peak {
   double width = 1;  ///< across the axis of symmetry, to where it is 0.06 lower: of a nose small
-  double above = 1, below = 1;  ///< likewise along the third axis, up and down it
+  /// Mean fall within 0.06 up and down the third axis: of a nose larger below.
+  double above = 0, below = 0;
 };
 
-Peak peak_of(const Points& points, int left, int up, int front, int sign) {
-  Eigen::MatrixXd depth = Eigen::MatrixXd::Constant(kCells, kCells, -2);
+/// Mean fall from `top` along the line of symmetry, on one side (`sign`) of the tip.
+double fall(const Points& points, const Eigen::RowVector3d& tip, int left, int up, int front,
+            int forward, int sign) {
+  constexpr double kReach = 0.06, kHalfBand = 0.02;
+  std::array<double, kSteps> nearest;
+  nearest.fill(1);
   for (const auto& p : points.rowwise()) {
-    double& deepest = depth(cell_of(p[left]), cell_of(p[up]));
-    deepest = std::max(deepest, sign * p[front]);
+    const double along = sign * (p[up] - tip[up]);
+    if (along <= 0 || along >= kReach || std::abs(p[left] - tip[left]) > kHalfBand) continue;
+    double& own = nearest[static_cast<std::size_t>(along / kReach * kSteps)];
+    own = std::min(own, forward * (tip[front] - p[front]));
   }
-  Eigen::Index x = 0, y = 0;
-  const double top = depth.maxCoeff(&x, &y);
-  const auto walk = [&](Eigen::Index dx, Eigen::Index dy) {
-    int steps = 0;
-    for (Eigen::Index i = x, j = y; i >= 0 && j >= 0 && i < kCells && j < kCells && steps < kCells;
-         i += dx, j += dy) {
-      if (depth(i, j) > -2 && depth(i, j) < top - 0.06) break;
-      ++steps;
+  double sum = 0;
+  for (const double step : nearest) sum += std::min(step, 0.1);
+  return sum / kSteps;
+}
+
+Peak peak_of(const Points& points, int left, int up, int front, int forward) {
+  Eigen::VectorXd depth = Eigen::VectorXd::Constant(kCells, -2);
+  Eigen::Index best = 0;
+  (forward * points.col(front)).maxCoeff(&best);
+  const Eigen::RowVector3d tip = points.row(best);
+  for (const auto& p : points.rowwise()) {
+    if (std::abs(p[up] - tip[up]) > 1.0 / kCells) continue;
+    double& deepest = depth[cell_of(p[left])];
+    deepest = std::max(deepest, forward * p[front]);
+  }
+  int width = 0;
+  for (const int step : {1, -1}) {
+    for (int i = cell_of(tip[left]); i >= 0 && i < kCells; i += step, ++width) {
+      if (depth[i] > -2 && depth[i] < forward * tip[front] - 0.06) break;
     }
-    return static_cast<double>(steps) / kCells;
-  };
-  return {walk(1, 0) + walk(-1, 0), walk(0, 1), walk(0, -1)};
+  }
+  return {static_cast<double>(width) / kCells, fall(points, tip, left, up, front, forward, 1),
+          fall(points, tip, left, up, front, forward, -1)};
 }
 
 std::string axis_name(int axis, double sign) {
@@ -161,7 +206,11 @@ std::string axis_name(int axis, double sign) {
 }  // namespace
 
 ProposedAxes scan_axes(const TriangleMesh& surface) {
-  const Points points = spread_points(surface);
+  if (surface_area(surface) <= 0) {
+    return {Eigen::Matrix3d::Identity(), Confidence::low, "the scan has no area to look at"};
+  }
+  const Spread spread = spread_points(surface);
+  const Points& points = spread.points;
   std::array<double, 3> mirror{};
   for (int axis = 0; axis < 3; ++axis) mirror[axis] = symmetry(points, axis);
   const int left =
@@ -174,13 +223,16 @@ ProposedAxes scan_axes(const TriangleMesh& surface) {
   std::vector<Way> ways;
   for (const auto& [up, front] : {std::pair{u, v}, {v, u}}) {
     for (const int sign : {1, -1}) {
-      ways.push_back({up, front, sign, peak_of(points, left, up, front, sign)});
+      const Points facing = spread.facing(front, sign);
+      // A peak that nothing of the surface looks at is as wide as can be.
+      const Peak peak = facing.rows() == 0 ? Peak() : peak_of(facing, left, up, front, sign);
+      ways.push_back({up, front, sign, peak});
     }
   }
   std::stable_sort(ways.begin(), ways.end(),
                    [](const Way& a, const Way& b) { return a.peak.width < b.peak.width; });
   const Way& nose = ways.front();
-  const double up_sign = nose.peak.above >= nose.peak.below ? 1 : -1;
+  const double up_sign = nose.peak.above <= nose.peak.below ? 1 : -1;
   ProposedAxes axes;
   axes.lps_from_scan.setZero();
   axes.lps_from_scan(1, nose.front) = -nose.sign;  // the front is anterior, LPS's −y
@@ -188,8 +240,10 @@ ProposedAxes scan_axes(const TriangleMesh& surface) {
   axes.lps_from_scan.row(0) = axes.lps_from_scan.row(1).cross(axes.lps_from_scan.row(2));
   std::array<double, 3> sorted = mirror;
   std::sort(sorted.begin(), sorted.end());
-  const bool clear = sorted[2] - sorted[1] > 0.1 && nose.peak.width < 0.75 * ways[1].peak.width &&
-                     nose.peak.above != nose.peak.below;
+  const bool clear =
+      sorted[2] - sorted[1] > 0.1 && ways.size() > 1 &&
+      nose.peak.width < 0.75 * ways[1].peak.width &&
+      std::abs(nose.peak.above - nose.peak.below) > 0.15 * (nose.peak.above + nose.peak.below);
   axes.confidence = clear ? Confidence::fair : Confidence::low;
   axes.reason = std::string("it is most symmetric along ") + "xyz"[left] +
                 ", has its narrowest peak, which may be the nose, towards " +

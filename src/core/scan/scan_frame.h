@@ -20,9 +20,9 @@ struct ProposedUnit {
 };
 
 /// The units that would make the scan as large as a face or a head with shoulders, the likeliest
-/// first, each with its reason; where none does, one without a name that makes the longest side 260
-/// mm. vertices: n×3 in the scan's unit, finite, at least one. Strays are not counted
-/// (robust_size()).
+/// first, each with its reason, inches last and never sure; where none does, one without a name
+/// that makes the longest side 260 mm. vertices: n×3 in the scan's unit, finite, at least one.
+/// Strays are not counted (robust_size()).
 std::vector<ProposedUnit> scan_units(const Points& vertices);
 
 /// Which way a scan's axes run.

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "io/input_kind.h"
 #include "scan/limited_process.h"
+#include "scan/picture_size.h"
 #include "scan_stream/scan_stream.h"
 
 namespace gnathion {
@@ -53,10 +54,16 @@ void check_file(const fs::path& path) {
 
 const char* const kExportAgain = "export the scan again, reduced or in another format";
 
+/// Of the reading program: no honest format needs a hundred times its file, and a small file that
+/// claims to be large is then refused in a moment.
+std::uint64_t memory_for(const fs::path& path, const ScanLimits& limits) {
+  return std::min<std::uint64_t>(limits.memory_bytes, (1ULL << 30U) + 100 * fs::file_size(path));
+}
+
 std::string reading_output(const fs::path& path, Progress& progress, const ScanLimits& limits) {
   ProcessResult result =
       run_limited(reading_program(),
-                  {fs::absolute(path).string(), std::to_string(limits.memory_bytes),
+                  {fs::absolute(path).string(), std::to_string(memory_for(path, limits)),
                    std::to_string(limits.time.count() + 1)},
                   limits.time, limits.output_bytes, progress);
   using End = ProcessResult::End;
@@ -76,15 +83,7 @@ std::string reading_output(const fs::path& path, Progress& progress, const ScanL
   return std::move(result.output);
 }
 
-}  // namespace
-
-ObjDocument read_scan(const fs::path& path, Progress& progress, const ScanLimits& limits) {
-  check_file(path);
-  if (!is_scan_name(path)) {
-    refuse(path, "its name does not end like a scan's",
-           "give OBJ, PLY, STL, GLB, glTF, 3DS, FBX, DAE, OFF or 3MF");
-  }
-  if (lower_extension(path) == ".obj") return ObjDocument::read(path);
+ObjDocument read_by_program(const fs::path& path, Progress& progress, const ScanLimits& limits) {
   const std::string bytes = reading_output(path, progress, limits);
   const auto result = scan_of_bytes(bytes, path.string());
   if (const auto* failure = std::get_if<ScanFailure>(&result)) {
@@ -96,6 +95,22 @@ ObjDocument read_scan(const fs::path& path, Progress& progress, const ScanLimits
     progress.notice(path.filename().string() + ": " + notice);
   }
   return ObjDocument::of_scan(path, scan);
+}
+
+}  // namespace
+
+ObjDocument read_scan(const fs::path& path, Progress& progress, const ScanLimits& limits) {
+  check_file(path);
+  if (!is_scan_name(path)) {
+    refuse(path, "its name does not end like a scan's",
+           "give OBJ, PLY, STL, GLB, glTF, 3DS, FBX, DAE, OFF or 3MF");
+  }
+  ObjDocument document = lower_extension(path) == ".obj" ? ObjDocument::read(path)
+                                                         : read_by_program(path, progress, limits);
+  for (const Material& material : document.mesh().materials) {
+    if (!material.texture.empty()) check_picture_size(material.texture);
+  }
+  return document;
 }
 
 }  // namespace gnathion

@@ -11,7 +11,7 @@ namespace gnathion {
 
 /// What the reading of one file may take before it is given up.
 struct ScanLimits {
-  std::uint64_t memory_bytes = 6ULL << 30U;  ///< of the reading program, all its memory
+  std::uint64_t memory_bytes = 6ULL << 30U;  ///< of the reading program at most
   std::uint64_t output_bytes = 2ULL << 30U;  ///< that it may hand over
   std::chrono::seconds time{60};
 };

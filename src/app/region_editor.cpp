@@ -157,7 +157,9 @@ void RegionEditor::clear() {
 
 void RegionEditor::suggest(double reach) {
   SurgicalCase plan = controller_.plan();
-  plan.region = {reach, {}, false};
+  plan.region.reach_mm = reach;
+  plan.region.vertices.clear();
+  plan.region.erased = false;
   if (plan == controller_.plan()) return;
   controller_.edit(tr("Suggest the region"), std::move(plan));
 }

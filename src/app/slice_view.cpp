@@ -88,17 +88,21 @@ void SliceView::fit() {
   update();
 }
 
+QRectF SliceView::rect_of(const LpsBox& box) const {
+  const Eigen::Vector2d a = picture_from_lps(plane_, box.min);
+  const Eigen::Vector2d b = picture_from_lps(plane_, box.max);
+  return QRectF(QPointF(a.x(), a.y()), QPointF(b.x(), b.y())).normalized();
+}
+
 QRectF SliceView::slice_rect() const {
   const SliceLattice& lattice = scene_->lattice();
-  const Eigen::Vector2d a = picture_from_lps(plane_, lattice.origin - lattice.step / 2);
-  const Eigen::Vector2d b = picture_from_lps(plane_, lattice.last() + lattice.step / 2);
-  return QRectF(QPointF(a.x(), a.y()), QPointF(b.x(), b.y())).normalized();
+  return rect_of({lattice.origin - lattice.step / 2, lattice.last() + lattice.step / 2});
 }
 
 double SliceView::scale() const {
   if (scale_ > 0 || !scene_->has_volume()) return std::max(scale_, least_scale);
-  const QRectF slice = slice_rect();
-  return std::clamp(std::min(width() / slice.width(), height() / slice.height()), least_scale,
+  const QRectF subject = rect_of(scene_->subject());
+  return std::clamp(std::min(width() / subject.width(), height() / subject.height()), least_scale,
                     most_scale);
 }
 
@@ -106,7 +110,8 @@ Eigen::Vector3d SliceView::lps_at(QPointF pixel) const {
   const QPointF off = (pixel - QRectF(rect()).center()) / scale();
   Eigen::Vector2d centre = centre_;
   if (scale_ == 0 && scene_->has_volume()) {
-    centre = {slice_rect().center().x(), slice_rect().center().y()};
+    const QPointF middle = rect_of(scene_->subject()).center();
+    centre = {middle.x(), middle.y()};
   }
   return lps_from_picture(plane_, centre + Eigen::Vector2d(off.x(), off.y()), crosshair_);
 }
@@ -213,7 +218,7 @@ void SliceView::paint_outlines(QPainter& painter) {
   painter.translate(zero);
   painter.scale(scale(), scale());
   for (const Outline& outline : outlines_) {
-    QPen pen(outline.colour, 1.2);
+    QPen pen(outline.colour, 1);
     pen.setCosmetic(true);
     painter.setPen(pen);
     painter.drawLines(outline.lines);
@@ -281,6 +286,7 @@ void SliceView::paint_words(QPainter& painter) const {
                tr("W %1\nL %2 HU").arg(std::lround(window_.width)).arg(std::lround(window_.level)),
                words_colour);
   }
+  painter.fillRect(readout_rect(), QColor(0, 0, 0, 150));
   draw_words(painter, box, Qt::AlignLeft | Qt::AlignBottom, readout(), words_colour);
 }
 

@@ -36,7 +36,7 @@ class SliceView : public QWidget {
   /// The scene has other surfaces, poses or points.
   void outlines_changed();
 
-  /// The whole slice in the middle of the view, also after it has another size.
+  /// The patient in the middle of the view, also after it has another size.
   void fit();
   /// Above 1: larger, about a place of the widget that stays where it is.
   void zoom(double factor, QPointF about);
@@ -75,6 +75,7 @@ class SliceView : public QWidget {
   bool handle_arrow(int key, Qt::KeyboardModifiers modifiers);
   void move_in_plane(int right, int down);
   void change_window(double wider, double higher);
+  QRectF rect_of(const LpsBox& box) const;
   QRectF slice_rect() const;
   QRect readout_rect() const;
   void paint_slice(QPainter& painter);

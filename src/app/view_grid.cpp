@@ -119,6 +119,11 @@ void ViewGrid::take_case(bool another) {
   lay_out();
 }
 
+/// What a segment is called in the slices: their surfaces' names are shown.
+std::string ViewGrid::segment_words(const BoneSegment& segment) {
+  return tr("Segment “%1”").arg(QString::fromStdString(segment.name)).toStdString();
+}
+
 /// The case's surfaces at rest; the motion is set when it rests.
 void ViewGrid::take_surfaces() {
   const std::shared_ptr<const Anatomy> anatomy = controller_->loaded().anatomy;
@@ -128,8 +133,7 @@ void ViewGrid::take_surfaces() {
   scene_.remove_surfaces();
   scene_.set_surface(tr("Bone that stays").toStdString(), shared(anatomy->remainder), bone_colour);
   for (const BoneSegment& segment : anatomy->segments) {
-    scene_.set_surface(tr("Segment %1").arg(QString::fromStdString(segment.name)).toStdString(),
-                       shared(segment.mesh), segment_colour);
+    scene_.set_surface(segment_words(segment), shared(segment.mesh), segment_colour);
   }
   const TriangleMesh& face = anatomy->face.mesh.surface;
   scene_.set_surface(tr("Skin before").toStdString(), shared(face), before_colour);
@@ -149,8 +153,7 @@ void ViewGrid::take_motion() {
   const Anatomy& anatomy = *controller_->loaded().anatomy;
   const Response& response = controller_->response();
   for (std::size_t s = 0; s < anatomy.segments.size() && s < response.poses.size(); ++s) {
-    const QString name = QString::fromStdString(anatomy.segments[s].name);
-    scene_.set_surface_pose(tr("Segment %1").arg(name).toStdString(), response.poses[s]);
+    scene_.set_surface_pose(segment_words(anatomy.segments[s]), response.poses[s]);
   }
   const std::string predicted = tr("Skin predicted").toStdString();
   const bool moved =
@@ -237,12 +240,26 @@ void ViewGrid::fit_slices() {
   for (SliceView* view : slices()) view->fit();
 }
 
+/// A splitter gives a view that comes back no room that can be relied on: the room it had is kept.
+void ViewGrid::keep_sizes() {
+  if (!divided_ || !isVisible()) return;
+  view_sizes_ = ui_->view_splitter->sizes();
+  slice_sizes_ = ui_->slices_splitter->sizes();
+}
+
 void ViewGrid::lay_out() {
+  keep_sizes();
   face_view_->setVisible(maximised_ == nullptr || maximised_ == face_view_);
   for (SliceView* view : slices()) {
     view->setVisible(maximised_ == nullptr || maximised_ == view);
   }
   ui_->slices_column->setVisible(slices_shown());
+  const bool divided = maximised_ == nullptr && slices_visible_;
+  if (divided && !divided_ && !view_sizes_.isEmpty()) {
+    ui_->view_splitter->setSizes(view_sizes_);
+    ui_->slices_splitter->setSizes(slice_sizes_);
+  }
+  divided_ = divided;
   mark_.set_visible(slices_shown() && scene_.has_volume());
   if (slices_shown() && motion_stale_) take_motion();
   face_view_->render_soon();

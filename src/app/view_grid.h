@@ -1,10 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <QList>
 #include <QTimer>
 #include <QWidget>
 #include <array>
 #include <memory>
+#include <string>
 
 #include "render/crosshair_mark.h"
 #include "render/orientation_cube.h"
@@ -17,6 +19,7 @@ class ViewGrid;
 
 namespace gnathion {
 
+struct BoneSegment;
 class CaseController;
 class FaceView;
 class SliceView;
@@ -48,7 +51,7 @@ class ViewGrid : public QWidget {
   void toggle_maximised();
   /// Of the slice that has the focus, else of the 3D view; above 1: larger.
   void zoom(double factor);
-  /// Every slice fits its view again.
+  /// Every slice shows the patient whole again.
   void fit_slices();
 
  signals:
@@ -63,11 +66,13 @@ class ViewGrid : public QWidget {
   SliceView* focused_slice() const;
   void connect_slices();
   void connect_controller();
+  void keep_sizes();
   void lay_out();
   bool slices_shown() const;
   void take_case(bool another);
   void take_surfaces();
   void take_motion();
+  static std::string segment_words(const BoneSegment& segment);
   void show_hu_window();
 
   std::unique_ptr<Ui::ViewGrid> ui_;
@@ -81,6 +86,8 @@ class ViewGrid : public QWidget {
   HuWindow hu_window_ = bone_window;
   bool slices_visible_ = true;
   QWidget* maximised_ = nullptr;
+  bool divided_ = true;  ///< all four views are there
+  QList<int> view_sizes_, slice_sizes_;
   QTimer rest_;                ///< runs out when the motion has rested
   bool motion_stale_ = false;  ///< the slices show an older motion than the model's
 };

@@ -269,7 +269,7 @@ std::pair<Eigen::RowVector3d, Eigen::RowVector3d> framed_box(const std::vector<P
 
 /// The letters of the sides that `direction` (unit, LPS) points to, the larger share first.
 std::string side_letters(const Eigen::Vector3d& direction) {
-  const char* const letters[3] = {"LR", "PA", "HF"};
+  const char* const letters[3] = {"LR", "PA", "SI"};
   int order[3] = {0, 1, 2};
   std::sort(order, order + 3,
             [&](int a, int b) { return std::abs(direction(a)) > std::abs(direction(b)); });
@@ -416,7 +416,7 @@ struct FaceScene::Impl {
   /// Text grows with the picture, within what can be read and does not shout.
   void size_texts() {
     const int height = renderer->GetSize()[1];
-    const int size = std::clamp(height / 26, 13, 24);
+    const int size = std::clamp(std::min(height / 26, renderer->GetSize()[0] / 42), 13, 24);
     const int small = std::max(11, size * 3 / 4);
     label->GetTextProperty()->SetFontSize(size);
     // A letter is about half as wide as its size; a fifth is left to the marks in the corner.

@@ -101,7 +101,7 @@ class FaceScene {
 
   /// The caption in the upper left corner; empty: none.
   void set_label(const std::string& text);
-  /// Letters at the picture's edges for the patient's side that lies there (L, R, A, P, H, F).
+  /// Letters at the picture's edges for the patient's side that lies there (L, R, A, P, S, I).
   void set_orientation_letters(bool visible);
 
   /// Places the camera so that everything visible fills a picture of the given width / height; of

@@ -25,7 +25,8 @@ const Eigen::Vector3d paper{0.97, 0.975, 0.98};
 const Eigen::Vector3d edge_ink{0.35, 0.40, 0.46};
 const Eigen::Vector3d letter_ink{0.10, 0.20, 0.36};
 constexpr double half_side = 26;  // logical pixels
-constexpr double margin = 8;
+constexpr double margin = 6;
+constexpr double room_for_letters = 26;  // the scene's, in the corner below
 /// A face seen more from the side than this has no letter: it would lie over its neighbour's.
 constexpr double least_facing_for_a_letter = 0.3;
 
@@ -136,7 +137,8 @@ void OrientationCube::prepare(vtkRenderer& renderer) {
   const Eigen::Vector2d size(renderer.GetSize()[0], renderer.GetSize()[1]);
   // The least circle that holds the cube is √3 times as wide as its side.
   const double scale = std::min(ratio * half_side, size.minCoeff() / 14);
-  const Eigen::Vector2d centre = size.array() - (1.74 * scale + ratio * margin);
+  const double radius = 1.74 * scale + ratio * margin;
+  const Eigen::Vector2d centre(radius, radius + ratio * room_for_letters);
   impl_->set_faces(faces, centre, scale);
   impl_->edges_actor->GetProperty()->SetLineWidth(static_cast<float>(ratio));
   impl_->set_letters(faces, centre, scale, static_cast<int>(0.9 * scale / ratio));

@@ -22,7 +22,7 @@ struct CubeFace {
 std::vector<CubeFace> visible_cube_faces(const Eigen::Vector3d& right, const Eigen::Vector3d& up,
                                          const Eigen::Vector3d& away);
 
-/// A small cube in the picture's upper right corner that turns with the camera; its faces carry the
+/// A small cube in the picture's lower left corner that turns with the camera; its faces carry the
 /// letters of the patient's sides.
 class OrientationCube : public Overlay {
  public:

@@ -6,6 +6,11 @@
 #include <utility>
 
 namespace gnathion {
+namespace {
+
+constexpr double margin_mm = 10;  // of the air around a patient
+
+}  // namespace
 
 HuWindow limited(HuWindow window) {
   return {std::clamp(window.level, -2000.0, 6000.0), std::clamp(window.width, 2.0, 8000.0)};
@@ -28,7 +33,7 @@ void grey_slice(const CtSlice& slice, const HuWindow& window, std::vector<std::u
 }
 
 void SliceScene::set_volume(std::shared_ptr<const CtVolume> volume) {
-  surfaces_.clear();
+  remove_surfaces();
   volume_ = std::move(volume);
   lattice_ = slice_lattice(*volume_);
 }
@@ -41,12 +46,31 @@ SliceScene::Surface* SliceScene::find(const std::string& name) {
 
 void SliceScene::set_surface(const std::string& name, std::shared_ptr<const TriangleMesh> surface,
                              const Eigen::Vector3d& colour) {
+  for (Eigen::Index v = 0; v < surface->vertices.rows(); ++v) {
+    around_.extend(surface->vertices.row(v).transpose());
+  }
   Surface added{name, PlaneSection(std::move(surface)), colour, {}, true};
   if (Surface* known = find(name)) {
     *known = std::move(added);
   } else {
     surfaces_.push_back(std::move(added));
   }
+}
+
+void SliceScene::remove_surfaces() {
+  surfaces_.clear();
+  around_.setEmpty();
+}
+
+LpsBox SliceScene::subject() const {
+  const Eigen::Vector3d half = lattice_.step / 2;
+  const Eigen::AlignedBox3d all(lattice_.origin - half, lattice_.last() + half);
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(margin_mm);
+  const Eigen::AlignedBox3d seen =
+      around_.isEmpty()
+          ? all
+          : all.intersection(Eigen::AlignedBox3d(around_.min() - margin, around_.max() + margin));
+  return seen.isEmpty() ? LpsBox{all.min(), all.max()} : LpsBox{seen.min(), seen.max()};
 }
 
 void SliceScene::set_surface_points(const std::string& name, const Points& points) {

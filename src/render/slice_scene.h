@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -60,7 +61,10 @@ class SliceScene {
   /// Likewise. A pose is applied to the points as they are.
   void set_surface_pose(const std::string& name, const RigidMotion& pose);
   void set_surface_visible(const std::string& name, bool visible);
-  void remove_surfaces() { surfaces_.clear(); }
+  void remove_surfaces();
+  /// The part of the volume that a picture should show: around the surfaces as they were given (a
+  /// scanner's table is left out), all of it where there are none. Mm, LPS.
+  LpsBox subject() const;
 
   /// The slice through `lps`, mm.
   void cut(SlicePlane plane, const Eigen::Vector3d& lps, CtSlice& slice) const;
@@ -79,6 +83,7 @@ class SliceScene {
   std::shared_ptr<const CtVolume> volume_;
   SliceLattice lattice_;
   std::vector<Surface> surfaces_;
+  Eigen::AlignedBox3d around_;  ///< the surfaces, mm, LPS
 };
 
 }  // namespace gnathion

@@ -140,6 +140,19 @@ TEST(SliceScene, OutlineLiesOnTheEdgeInThePixels) {
   }
 }
 
+TEST(SliceScene, SubjectIsAroundTheSurfacesWithinTheVolume) {
+  SliceScene scene;
+  scene.set_volume(empty_volume());
+  EXPECT_EQ(scene.subject(), (LpsBox{{-0.5, -0.5, -0.5}, {49.5, 49.5, 49.5}}));
+  scene.set_surface("jaw", block({20, 25, 30}, {30, 30, 32}), {1, 0, 0});
+  EXPECT_EQ(scene.subject(), (LpsBox{{10, 15, 20}, {40, 40, 42}}));
+  scene.set_surface("face", block({-300, 10, 30}, {300, 20, 45}), {1, 0, 0});
+  EXPECT_EQ(scene.subject(), (LpsBox{{-0.5, 0, 20}, {49.5, 40, 49.5}}));
+  scene.remove_surfaces();
+  scene.set_surface("elsewhere", block({500, 500, 500}, {600, 600, 600}), {1, 0, 0});
+  EXPECT_EQ(scene.subject(), (LpsBox{{-0.5, -0.5, -0.5}, {49.5, 49.5, 49.5}}));
+}
+
 TEST(SliceScene, AnotherVolumeBringsItsOwnSurfaces) {
   SliceScene scene;
   EXPECT_FALSE(scene.has_volume());

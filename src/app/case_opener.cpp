@@ -35,6 +35,11 @@ QFileDialog* file_dialog(QWidget& window, const QString& title, const char* name
   return dialog;
 }
 
+/// Of the box around the points, LPS mm.
+Eigen::Vector3d middle_of(const Points& points) {
+  return (points.colwise().minCoeff() + points.colwise().maxCoeff()).transpose() / 2;
+}
+
 bool has_files(const QMimeData& data) {
   const QList<QUrl> urls = data.urls();
   return !urls.isEmpty() &&
@@ -79,6 +84,15 @@ void CaseOpener::ask_volume() {
       file_dialog(window_, tr("Import a CT: an image volume in Hounsfield units"), "volume_dialog");
   dialog->setNameFilters(
       {tr("Image volumes (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz)"), tr("All files (*)")});
+  connect(dialog, &QFileDialog::fileSelected, this, &CaseOpener::take);
+  dialog->open();
+}
+
+void CaseOpener::ask_photograph_file() {
+  QFileDialog* dialog = file_dialog(window_, tr("Add a photograph"), "photograph_file_dialog");
+  dialog->setNameFilters({tr("Face scans (*.obj *.ply *.stl *.glb *.gltf *.3ds *.fbx *.dae *.off "
+                             "*.3mf)"),
+                          tr("All files (*)")});
   connect(dialog, &QFileDialog::fileSelected, this, &CaseOpener::take);
   dialog->open();
 }
@@ -130,13 +144,18 @@ void CaseOpener::ask_photograph(const fs::path& obj) {
   auto* dialog = new PhotographDialog(obj, &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &PhotographDialog::photograph_chosen, this,
-          [this](const PhotographSource& photograph) {
+          [this](PhotographSource photograph, bool to_be_fitted) {
             if (!controller_.has_case()) return;
             SurgicalCase plan = controller_.plan();
+            if (to_be_fitted) {
+              photograph.lps_from_photograph.translation +=
+                  middle_of(controller_.loaded().anatomy->face.mesh.surface.vertices);
+            }
             plan.photograph = photograph;
             plan.region.vertices.clear();  // they count the vertices of the face before
             plan.tissue.sliding_vertices.clear();
             controller_.edit(tr("Add the photograph"), std::move(plan));
+            emit photograph_added(photograph.obj, to_be_fitted);
           });
   dialog->open();
 }

@@ -26,6 +26,7 @@ class CaseOpener : public QObject {
   void ask_case();
   void ask_dicom_folder();
   void ask_volume();
+  void ask_photograph_file();
   void open_demo();
   /// A file or folder of any kind that Gnathion knows (io/input_kind.h); failed() for others.
   void take(const QString& path);
@@ -34,6 +35,8 @@ class CaseOpener : public QObject {
 
  signals:
   void failed(const gnathion::Failure& failure);
+  /// Its step has begun. to_be_fitted: the user says that it does not lie on the CT yet.
+  void photograph_added(const std::filesystem::path& file, bool to_be_fitted);
   /// Something that may be dropped has come over the window, or has left it.
   void drop_hovers(bool hovers);
 

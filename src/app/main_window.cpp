@@ -21,6 +21,7 @@
 #include "app/face_view.h"
 #include "app/motion_panel.h"
 #include "app/region_panel.h"
+#include "app/registration_panel.h"
 #include "app/theme.h"
 #include "app/view_grid.h"
 #include "base/error.h"
@@ -74,6 +75,7 @@ MainWindow::MainWindow(QWidget* parent)
 
 MainWindow::~MainWindow() {
   // While the view lives, which goes with the other widgets.
+  registration_panel_->set_active(false);
   bone_panel_->set_active(false);
   region_panel_->set_active(false);
   compare_panel_->set_active(false);
@@ -86,12 +88,14 @@ FaceView& MainWindow::face_view() {
 /// The steps of planning, each with its panel; what a panel adds to the view is there while its
 /// step is chosen.
 void MainWindow::add_steps() {
+  registration_panel_ = new RegistrationPanel(controller_, *ui_->face_view, this);
   bone_panel_ = new BonePanel(controller_, *ui_->face_view, this);
   region_panel_ = new RegionPanel(controller_, *ui_->face_view, this);
   compare_panel_ = new ComparePanel(controller_, *ui_->face_view, this);
-  ui_->steps->insertTab(0, bone_panel_, tr("&Bone"));
+  ui_->steps->insertTab(0, registration_panel_, tr("Ph&otograph"));
+  ui_->steps->insertTab(1, bone_panel_, tr("&Bone"));
   connect(bone_panel_, &BonePanel::failed, ui_->message_bar, &MessageBar::show_failure);
-  ui_->steps->insertTab(1, region_panel_, tr("&Region"));
+  ui_->steps->insertTab(2, region_panel_, tr("&Region"));
   ui_->steps->addTab(compare_panel_, tr("&Compare"));
   ui_->steps->setCurrentIndex(ui_->steps->indexOf(ui_->motion_page));
   connect(ui_->steps, &QTabWidget::currentChanged, this, &MainWindow::show_step);
@@ -100,9 +104,14 @@ void MainWindow::add_steps() {
 void MainWindow::show_step() {
   const QWidget* step = controller_.has_case() ? ui_->steps->currentWidget() : nullptr;
   // First the one that leaves: the view has one tool at a time.
+  if (step != registration_panel_) registration_panel_->set_active(false);
   if (step != bone_panel_) bone_panel_->set_active(false);
   if (step != region_panel_) region_panel_->set_active(false);
   if (step != compare_panel_) compare_panel_->set_active(false);
+  if (step == registration_panel_) {
+    player_.stop();
+    registration_panel_->set_active(true);
+  }
   if (step == bone_panel_) bone_panel_->set_active(true);
   if (step == region_panel_) region_panel_->set_active(true);
   if (step == compare_panel_) compare_panel_->set_active(true);
@@ -158,6 +167,16 @@ void MainWindow::connect_file_actions() {
   connect(ui_->import_folder_action, &QAction::triggered, &opener_, &CaseOpener::ask_dicom_folder);
   connect(ui_->import_volume_action, &QAction::triggered, &opener_, &CaseOpener::ask_volume);
   connect(&opener_, &CaseOpener::failed, ui_->message_bar, &MessageBar::show_failure);
+  connect(registration_panel_, &RegistrationPanel::photograph_wanted, &opener_,
+          &CaseOpener::ask_photograph_file);
+  connect(registration_panel_, &RegistrationPanel::failed, ui_->message_bar,
+          &MessageBar::show_failure);
+  connect(&opener_, &CaseOpener::photograph_added, this,
+          [this](const std::filesystem::path& file, bool to_be_fitted) {
+            if (!to_be_fitted) return;
+            registration_panel_->fit_when_added(file);
+            ui_->steps->setCurrentWidget(registration_panel_);
+          });
   connect(&recent_, &RecentCases::changed, this, &MainWindow::show_recent);
   connect(ui_->export_action, &QAction::triggered, this, &MainWindow::ask_export);
   connect(ui_->picture_action, &QAction::triggered, this, &MainWindow::ask_picture);

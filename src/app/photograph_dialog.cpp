@@ -2,8 +2,10 @@
 
 #include <QFile>
 #include <QPushButton>
+#include <QRadioButton>
 #include <array>
 
+#include "scan/scan_import.h"
 #include "ui_photograph_dialog.h"
 
 namespace gnathion {
@@ -26,24 +28,64 @@ PhotographDialog::PhotographDialog(const std::filesystem::path& obj, QWidget* pa
   ui_->photograph_unit_label->setBuddy(ui_->photograph_unit_box);
   connect(ui_->photograph_unit_box, qOverload<int>(&QComboBox::currentIndexChanged), this,
           &PhotographDialog::update_button);
-  connect(ui_->photograph_frame_box, &QCheckBox::toggled, this, &PhotographDialog::update_button);
+  for (QRadioButton* button : {ui_->photograph_fit_button, ui_->photograph_on_ct_button}) {
+    connect(button, &QRadioButton::toggled, this, &PhotographDialog::update_button);
+  }
   connect(ui_->photograph_buttons, &QDialogButtonBox::accepted, this, &PhotographDialog::choose);
   connect(ui_->photograph_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   update_button();
+  read_scan_size();
 }
 
 PhotographDialog::~PhotographDialog() = default;
 
+/// Its size proposes a unit, its shape the way it looks.
+void PhotographDialog::read_scan_size() {
+  connect(&reading_, &BackgroundTask::failed, this, [this](const Failure& failure) {
+    ui_->photograph_proposal_label->setText(
+        tr("It cannot be read: %1. What to do: %2.")
+            .arg(failure.problem.toHtmlEscaped(), failure.remedy.toHtmlEscaped()));
+  });
+  reading_.start([this](Progress& progress) {
+    const ObjDocument scan = read_scan(obj_, progress);
+    const TriangleMesh& surface = scan.mesh().surface;
+    const ProposedUnit unit = scan_units(surface.vertices).front();
+    progress.check();
+    Similarity upright;
+    upright.rotation = scan_axes(surface).lps_from_scan;
+    const Eigen::RowVector3d middle =
+        (surface.vertices.colwise().minCoeff() + surface.vertices.colwise().maxCoeff()) / 2;
+    upright.translation = -upright.rotation * middle.transpose();
+    return [this, unit, upright] {
+      upright_ = upright;
+      show_proposal(unit);
+      update_button();
+    };
+  });
+}
+
+void PhotographDialog::show_proposal(const ProposedUnit& unit) {
+  const QString reason = QString::fromStdString(unit.reason).toHtmlEscaped();
+  ui_->photograph_proposal_label->setText(
+      unit.name.empty() ? tr("No usual unit would make it as large as a head. %1").arg(reason)
+                        : tr("Likely unit by its size: <b>%1</b>. %2")
+                              .arg(QString::fromStdString(unit.name).toHtmlEscaped(), reason));
+}
+
 void PhotographDialog::update_button() {
+  const bool fits = ui_->photograph_fit_button->isChecked() && upright_;
   ui_->photograph_buttons->button(QDialogButtonBox::Ok)
       ->setEnabled(ui_->photograph_unit_box->currentIndex() > 0 &&
-                   ui_->photograph_frame_box->isChecked());
+                   (fits || ui_->photograph_on_ct_button->isChecked()));
 }
 
 void PhotographDialog::choose() {
-  PhotographSource photograph{obj_, {}};
-  photograph.lps_from_photograph.scale = mm_of_unit.at(ui_->photograph_unit_box->currentIndex());
-  emit photograph_chosen(photograph);
+  const double mm = mm_of_unit.at(ui_->photograph_unit_box->currentIndex());
+  const bool fits = ui_->photograph_fit_button->isChecked();
+  PhotographSource photograph{obj_, fits ? *upright_ : Similarity{}};
+  photograph.lps_from_photograph.scale = mm;
+  photograph.lps_from_photograph.translation *= mm;
+  emit photograph_chosen(photograph, fits);
   accept();
 }
 

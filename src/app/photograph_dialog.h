@@ -3,8 +3,11 @@
 #include <QDialog>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
+#include "app/background_task.h"
 #include "plan/surgical_case.h"
+#include "scan/scan_frame.h"
 
 namespace Ui {
 class PhotographDialog;
@@ -12,8 +15,9 @@ class PhotographDialog;
 
 namespace gnathion {
 
-/// Asks what an OBJ file does not say: its unit of length, and that it lies on the CT. Neither is
-/// assumed: the user has to state both.
+/// Asks what a face scan does not say: its unit of length, and whether it lies on the CT. A unit is
+/// proposed from the scan's size, which is read beside the window; neither is assumed: the user has
+/// to state both.
 class PhotographDialog : public QDialog {
   Q_OBJECT
  public:
@@ -21,14 +25,20 @@ class PhotographDialog : public QDialog {
   ~PhotographDialog() override;
 
  signals:
-  void photograph_chosen(const gnathion::PhotographSource& photograph);
+  /// to_be_fitted: it is upright and faces forward about the origin, as far as its shape tells, and
+  /// in the stated unit, no more.
+  void photograph_chosen(const gnathion::PhotographSource& photograph, bool to_be_fitted);
 
  private:
   void update_button();
   void choose();
+  void read_scan_size();
+  void show_proposal(const ProposedUnit& unit);
 
   std::unique_ptr<Ui::PhotographDialog> ui_;
   std::filesystem::path obj_;
+  std::optional<Similarity> upright_;  ///< scale 1, the middle at the origin; none: not read yet
+  BackgroundTask reading_;             // last: its worker stops first
 };
 
 }  // namespace gnathion

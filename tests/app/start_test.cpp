@@ -15,6 +15,7 @@
 #include <QMimeData>
 #include <QProcess>
 #include <QPushButton>
+#include <QRadioButton>
 #include <QSignalSpy>
 #include <QStackedWidget>
 #include <QTableWidget>
@@ -455,7 +456,7 @@ void StartTest::photographIsAddedWhenUnitAndFrameAreStated() {
   QVERIFY(!add->isEnabled());  // nothing is assumed
   unit->setCurrentIndex(2);
   QVERIFY(!add->isEnabled());
-  user.find<QCheckBox>("photograph_frame_box")->click();
+  user.find<QRadioButton>("photograph_on_ct_button")->click();
   QVERIFY(add->isEnabled());
   unit->setCurrentIndex(0);
   QVERIFY(!add->isEnabled());

@@ -1,0 +1,447 @@
+#include <QApplication>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <fstream>
+#include <memory>
+#include <numbers>
+
+#include "app/display.h"
+#include "app/face_view.h"
+#include "app/main_window.h"
+#include "app/registration_panel.h"
+#include "demo/demo_case.h"
+#include "io/case_file.h"
+#include "user.h"
+
+namespace gnathion::test {
+namespace {
+
+using Eigen::Vector3d;
+
+/// 15° and 12 mm off, about the face.
+Similarity disturbed(const Similarity& place) {
+  const Vector3d middle(0, -90, -10);
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(15 * std::numbers::pi / 180, Vector3d(0.5, 0.4, 0.77).normalized())
+          .toRotationMatrix();
+  const Vector3d shift = 12 * Vector3d(0.6, -0.5, 0.62).normalized();
+  return {place.scale, turn * place.rotation, turn * (place.translation - middle) + middle + shift};
+}
+
+}  // namespace
+
+/// The step "Photograph", driven as a user would: the demo case, its photograph out of place. Each
+/// test goes on where the one before ended.
+class RegistrationTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase();
+  void placeOfThePlanIsMeasured();
+  void cancelledFitChangesNothing();
+  void automaticFitIsOnlyAProposal();
+  void rejectedFitChangesNothing();
+  void acceptedFitIsRightAndAStep();
+  void undoAndRedoRestoreTheBits();
+  void landmarksArePickedByClicks();
+  void landmarkFitIsAProposal();
+  void refinementJudgesTheLandmarks();
+  void photographIsMovedByNumbers();
+  void acceptedNudgeIsAStep();
+  void exchangedLandmarksAreRefused();
+  void shapeThatIsNoFaceIsRefused();
+  void skinTakesThePhotographsPlace();
+  void photographIsAddedAndFitted();
+  void otherStepShowsTheFaceAgain();
+  void cleanupTestCase();
+
+ private:
+  User user() const { return {*window_}; }
+  const RegistrationEditor& editor() const {
+    return window_->findChild<RegistrationPanel*>()->editor();
+  }
+  Similarity planned() const { return user().model().plan().photograph->lps_from_photograph; }
+  void rest() const {
+    user().settle();
+    QTRY_VERIFY_WITH_TIMEOUT(!editor().is_fitting() && !editor().is_measuring(), User::patience);
+    QTest::qWait(1);  // what was computed is shown
+  }
+  void fit(const char* button) const {
+    user().click(button);
+    rest();
+  }
+  /// mm from where `place` puts the demo's landmarks to where they are.
+  double error(const Similarity& place) const {
+    double worst = 0;
+    for (const auto& [name, lps] : user().model().plan().landmarks) {
+      const Vector3d own = true_.displacement_to_source(lps - true_.translation);
+      worst = std::max(worst, (place(own) - lps).norm());
+    }
+    return worst;
+  }
+  QString cell(const char* table, int row, int column) const {
+    return user().find<QTableWidget>(table)->item(row, column)->text();
+  }
+  /// Clicks the landmark in the row where `at` is.
+  void pick(int row, const Vector3d& at) const {
+    user().find<QTableWidget>("registration_landmark_table")->setCurrentCell(row, 0);
+    QTest::qWait(1);
+    const QPoint pixel = user().pixel_of(at);
+    QTest::mouseClick(user().canvas(), Qt::LeftButton, {}, pixel);
+    QTest::qWait(1);
+  }
+  bool message_visible() const { return user().find<QWidget>("message_bar")->isVisible(); }
+
+  QTemporaryDir folder_;
+  QString demo_;
+  Similarity true_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+void RegistrationTest::initTestCase() {
+  demo_ = folder_.filePath("demo");
+  Progress progress;
+  write_demo_case(1, demo_.toStdString(), progress);
+  SurgicalCase plan = read_case_file(demo_.toStdString() + "/case.json");
+  plan.tissue.strain = Strain::small;
+  plan.tissue.elements = Elements::linear;
+  true_ = plan.photograph->lps_from_photograph;
+  plan.photograph->lps_from_photograph = disturbed(true_);
+  const QString file = demo_ + "/aside.json";
+  write_case_file(plan, file.toStdString());
+  window_ = std::make_unique<MainWindow>();
+  window_->show();
+  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  window_->open_case(file);
+  user().settle();
+  QVERIFY(user().model().has_case());
+  QVERIFY(error(planned()) > 10);
+  user().choose_step("RegistrationPanel");
+  user().action("front_action")->trigger();
+}
+
+void RegistrationTest::placeOfThePlanIsMeasured() {
+  QVERIFY(!editor().present().is_measured);
+  QElapsedTimer clock;
+  clock.start();
+  rest();
+  qInfo("skin and measure: %lld ms", clock.elapsed());
+  QVERIFY(editor().present().is_measured);
+  QVERIFY(editor().present().quality.rms_mm > 3);
+  QCOMPARE(cell("quality_table", 0, 1), QString::number(editor().present().quality.rms_mm, 'f', 2));
+  QCOMPARE(cell("quality_table", 0, 2), QString("–"));
+  QVERIFY(!user().find<QPushButton>("accept_fit_button")->isEnabled());
+  user().shoot("registration_aside");
+}
+
+void RegistrationTest::cancelledFitChangesNothing() {
+  const Similarity before = planned();
+  user().click("fit_auto_button");
+  QVERIFY(editor().is_fitting());
+  QTest::qWait(1);
+  QVERIFY(!user().find<QPushButton>("fit_auto_button")->isEnabled());
+  user().click("cancel_fit_button");
+  QVERIFY(!editor().is_fitting());
+  rest();
+  QVERIFY(editor().proposal() == nullptr);
+  QCOMPARE(planned() == before, true);
+  QVERIFY(!message_visible());
+  QVERIFY(user().find<QPushButton>("fit_auto_button")->isEnabled());
+}
+
+void RegistrationTest::automaticFitIsOnlyAProposal() {
+  const Similarity before = planned();
+  const Picture aside = window_->face_view().picture();
+  QElapsedTimer clock;
+  clock.start();
+  fit("fit_auto_button");
+  qInfo("automatic fit: %lld ms", clock.elapsed());
+  QVERIFY2(editor().proposal() != nullptr, qPrintable(user().find<QLabel>("doubt_label")->text()));
+  const Placement& proposal = *editor().proposal();
+  qInfo("error %.3f mm, RMS %.3f mm, median %.3f mm, 95th percentile %.3f mm, %zu doubts",
+        error(proposal.lps_from_photograph), proposal.quality.rms_mm, proposal.quality.median_mm,
+        proposal.quality.p95_mm, proposal.doubts.size());
+  QVERIFY(proposal.quality.converged);
+  QVERIFY(error(proposal.lps_from_photograph) < 1);
+  QCOMPARE(cell("quality_table", 0, 2), QString::number(proposal.quality.rms_mm, 'f', 2));
+  QVERIFY(user().find<QLabel>("doubt_label")->isVisible());
+  QVERIFY(window_->face_view().picture().rgb != aside.rgb);
+  QVERIFY(planned() == before);
+  QVERIFY(window_->face_view().caption().contains("not accepted yet"));
+  user().shoot("registration_proposal");
+}
+
+void RegistrationTest::rejectedFitChangesNothing() {
+  const Similarity before = planned();
+  user().click("reject_fit_button");
+  rest();
+  QVERIFY(editor().proposal() == nullptr);
+  QVERIFY(planned() == before);
+  QVERIFY(!user().model().history().can_undo());
+  QCOMPARE(cell("quality_table", 0, 2), QString("–"));
+}
+
+void RegistrationTest::acceptedFitIsRightAndAStep() {
+  fit("fit_auto_button");
+  QVERIFY(editor().proposal() != nullptr);
+  const Similarity fitted = editor().proposal()->lps_from_photograph;
+  user().click("accept_fit_button");
+  rest();
+  QVERIFY(planned() == fitted);
+  QVERIFY(error(planned()) < 1);
+  QVERIFY(editor().proposal() == nullptr);
+  QCOMPARE(QString::fromStdString(user().model().history().undo_name()),
+           QString("Fit the photograph"));
+  const Face& face = user().model().loaded().anatomy->face;
+  QVERIFY(face.lps_from_file == fitted);
+  QVERIFY(user().model().has_model());
+  user().shoot("registration_accepted");
+}
+
+void RegistrationTest::undoAndRedoRestoreTheBits() {
+  const Similarity fitted = planned();
+  user().action("undo_action")->trigger();
+  rest();
+  QVERIFY(planned() == disturbed(true_));
+  QVERIFY(user().model().loaded().anatomy->face.lps_from_file == disturbed(true_));
+  user().action("redo_action")->trigger();
+  rest();
+  QVERIFY(planned() == fitted);
+  user().action("undo_action")->trigger();
+  rest();
+  QVERIFY(planned() == disturbed(true_));
+}
+
+void RegistrationTest::landmarksArePickedByClicks() {
+  const auto& places = user().model().plan().landmarks;
+  const std::pair<int, const char*> rows[] = {
+      {1, "nose_tip"}, {6, "mouth_corner_right"}, {7, "mouth_corner_left"}, {8, "pogonion_soft"}};
+  auto* table = user().find<QTableWidget>("registration_landmark_table");
+  QVERIFY(!user().find<QPushButton>("fit_landmarks_button")->isEnabled());
+  user().click("pick_button");
+  QVERIFY(user().find<QPushButton>("show_photograph_button")->isChecked());
+  for (const auto& [row, name] : rows) {
+    const Vector3d own = true_.displacement_to_source(places.at(name) - true_.translation);
+    pick(row, planned()(own));
+    const auto& picked = editor().landmarks()[static_cast<std::size_t>(row)].photograph;
+    QVERIFY2(picked.has_value(), name);
+    QVERIFY2((*picked - own).norm() < 2, qPrintable(QString::number((*picked - own).norm())));
+    QCOMPARE(cell("registration_landmark_table", row, 1), QString("✓"));
+  }
+  user().shoot("registration_landmarks_photograph");
+  user().click("show_ct_button");
+  for (const auto& [row, name] : rows) {
+    QVERIFY(!user().find<QPushButton>("fit_landmarks_button")->isEnabled() || row > 7);
+    pick(row, places.at(name));
+    const auto& picked = editor().landmarks()[static_cast<std::size_t>(row)].lps;
+    QVERIFY2(picked.has_value(), name);
+    QVERIFY((*picked - places.at(name)).norm() < 2);
+    QVERIFY(table->currentRow() != row || row == 8);  // the next one
+  }
+  user().shoot("registration_landmarks_ct");
+  QVERIFY(cell("registration_landmark_table", 1, 4).toDouble() > 5);
+  QVERIFY(user().find<QPushButton>("fit_landmarks_button")->isEnabled());
+  // Another row's places go and come back.
+  table->setCurrentCell(8, 0);
+  user().click("clear_landmark_button");
+  QCOMPARE(editor().complete_landmarks(), std::size_t{3});
+}
+
+void RegistrationTest::landmarkFitIsAProposal() {
+  fit("fit_landmarks_button");
+  QVERIFY(editor().proposal() != nullptr);
+  QVERIFY2(error(editor().shown().lps_from_photograph) < 5,
+           qPrintable(QString::number(error(editor().shown().lps_from_photograph))));
+  QVERIFY(cell("registration_landmark_table", 1, 3).toDouble() > 5);
+  QVERIFY(cell("registration_landmark_table", 1, 4).toDouble() < 2);
+  QVERIFY(editor().proposal()->is_measured);
+  user().click("show_both_button");
+  user().shoot("registration_landmark_fit");
+}
+
+void RegistrationTest::refinementJudgesTheLandmarks() {
+  const QString before = cell("registration_landmark_table", 1, 4);
+  fit("refine_button");
+  QVERIFY(editor().proposal() != nullptr);
+  const double upper = error(editor().shown().lps_from_photograph);
+  QCOMPARE(cell("registration_landmark_table", 1, 3), before);
+  user().find<QComboBox>("fit_region_box")->setCurrentIndex(1);
+  fit("refine_button");
+  const double whole = error(editor().shown().lps_from_photograph);
+  qInfo("after refinement: forehead and bridge %.2f mm, whole face %.2f mm", upper, whole);
+  QVERIFY2(upper < 2, qPrintable(QString::number(upper)));
+  QVERIFY(whole < 1);
+  QVERIFY(cell("registration_landmark_table", 1, 4).toDouble() < 2);
+  user().click("reject_fit_button");
+  rest();
+}
+
+void RegistrationTest::photographIsMovedByNumbers() {
+  const Similarity before = planned();
+  user().type("nudge_forward_box", "5");
+  rest();
+  QVERIFY(editor().proposal() != nullptr);
+  Similarity wanted = before;
+  wanted.translation.y() -= 5;
+  const Similarity& nudged = editor().proposal()->lps_from_photograph;
+  QVERIFY((nudged.translation - wanted.translation).norm() < 1e-9);
+  QVERIFY((nudged.rotation - wanted.rotation).norm() < 1e-12);
+  user().type("nudge_yaw_box", "10");
+  const Similarity turned = editor().proposal()->lps_from_photograph;
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(turned.rotation * before.rotation.transpose()));
+  QVERIFY(std::abs(turn.angle() * 180 / std::numbers::pi - 10) < 1e-9);
+  QVERIFY(planned() == before);
+  user().type("nudge_yaw_box", "0");
+  user().type("nudge_forward_box", "0");
+  QVERIFY(editor().proposal() == nullptr);
+}
+
+void RegistrationTest::acceptedNudgeIsAStep() {
+  const Similarity before = planned();
+  user().type("nudge_up_box", "2.5");
+  rest();
+  user().click("accept_fit_button");
+  rest();
+  QVERIFY(std::abs(planned().translation.z() - before.translation.z() - 2.5) < 1e-9);
+  QCOMPARE(user().find<QDoubleSpinBox>("nudge_up_box")->value(), 0.0);
+  user().action("undo_action")->trigger();
+  rest();
+  QVERIFY(planned() == before);
+}
+
+void RegistrationTest::exchangedLandmarksAreRefused() {
+  const auto& places = user().model().plan().landmarks;
+  const Similarity before = planned();
+  user().click("show_ct_button");
+  user().click("pick_button");
+  pick(6, places.at("nose_tip"));  // where another one is already
+  pick(7, places.at("nose_tip"));
+  user().click("fit_landmarks_button");
+  QVERIFY(message_visible());
+  QVERIFY(editor().proposal() == nullptr);
+  QVERIFY(planned() == before);
+  user().find<QWidget>("message_bar")->hide();
+  user().click("show_both_button");
+}
+
+void RegistrationTest::shapeThatIsNoFaceIsRefused() {
+  const QString file = folder_.filePath("plate.obj");
+  std::ofstream obj(file.toStdString());
+  constexpr int side = 20;
+  for (int i = 0; i < side; ++i) {
+    for (int j = 0; j < side; ++j) obj << "v " << 5 * i << " " << 5 * j << " 400\n";
+  }
+  for (int i = 1; i < side; ++i) {
+    for (int j = 1; j < side; ++j) {
+      const int a = (i - 1) * side + j, b = a + side;
+      obj << "f " << a << " " << b << " " << b + 1 << "\nf " << a << " " << b + 1 << " " << a + 1
+          << "\n";
+    }
+  }
+  obj.close();
+  SurgicalCase plan = user().model().plan();
+  plan.photograph = PhotographSource{file.toStdString(), {}};
+  user().model().edit("Add a plate", plan);
+  rest();
+  QVERIFY(user().model().plan().photograph->obj == file.toStdString());
+  QCOMPARE(editor().complete_landmarks(), std::size_t{0});  // they were another photograph's
+  user().find<QWidget>("message_bar")->hide();
+  fit("fit_auto_button");
+  const bool refused = message_visible() && editor().proposal() == nullptr;
+  const bool doubted = editor().proposal() != nullptr && !editor().proposal()->doubts.empty() &&
+                       user().find<QPushButton>("accept_fit_button")->text().contains("all the");
+  qInfo("a plate is %s", refused ? "refused" : doubted ? "doubted" : "taken");
+  QVERIFY(refused || doubted);
+  QVERIFY(planned() == Similarity{});
+  user().shoot("registration_plate");
+  user().action("undo_action")->trigger();
+  rest();
+  QVERIFY(planned() == disturbed(true_));
+}
+
+void RegistrationTest::skinTakesThePhotographsPlace() {
+  user().click("use_skin_button");
+  rest();
+  QVERIFY(!user().model().plan().photograph);
+  QVERIFY(!user().model().loaded().anatomy->face.is_photograph);
+  QVERIFY(!user().find<QPushButton>("fit_auto_button")->isEnabled());
+  QVERIFY(!user().find<QPushButton>("use_skin_button")->isEnabled());
+  QVERIFY(user().find<QLabel>("photograph_state_label")->text().contains("No photograph"));
+  QVERIFY(!window_->face_view().scene().bone_names().empty());
+  user().shoot("registration_skin");
+}
+
+void RegistrationTest::photographIsAddedAndFitted() {
+  user().click("add_photograph_button");
+  auto* dialog = user().find<QFileDialog>("photograph_file_dialog");
+  dialog->findChild<QLineEdit*>("fileNameEdit")->setText(demo_ + "/photograph/face.obj");
+  for (QAbstractButton* button : dialog->findChild<QDialogButtonBox*>("buttonBox")->buttons()) {
+    const auto* box = dialog->findChild<QDialogButtonBox*>("buttonBox");
+    if (box->buttonRole(button) != QDialogButtonBox::AcceptRole) continue;
+    QTest::mouseClick(button, Qt::LeftButton);
+    break;
+  }
+  QTRY_VERIFY(window_->findChild<QDialog*>("photograph_dialog") != nullptr);
+  auto* add = user().find<QPushButton>("photograph_add_button");
+  auto* proposal = user().find<QLabel>("photograph_proposal_label");
+  QTRY_VERIFY_WITH_TIMEOUT(proposal->text().contains("mm"), User::patience);
+  QVERIFY(!add->isEnabled());
+  user().find<QComboBox>("photograph_unit_box")->setCurrentIndex(1);
+  QVERIFY(!add->isEnabled());
+  user().find<QRadioButton>("photograph_fit_button")->click();
+  QVERIFY(add->isEnabled());
+  const QString folder = qEnvironmentVariable("GNATHION_SHOTS");
+  if (!folder.isEmpty())
+    window_->findChild<QDialog*>("photograph_dialog")
+        ->grab()
+        .save(folder + "/registration_dialog.png");
+  add->click();
+  user().settle();
+  QTest::qWait(10);  // the fit begins by itself
+  rest();
+  QVERIFY2(!message_visible(), "the photograph was not added");
+  QVERIFY(editor().proposal() != nullptr);
+  user().shoot("registration_added");
+  QVERIFY2(error(editor().proposal()->lps_from_photograph) < 1,
+           qPrintable(QString::number(error(editor().proposal()->lps_from_photograph))));
+  user().click("accept_fit_button");
+  rest();
+  QVERIFY(error(planned()) < 1);
+}
+
+void RegistrationTest::otherStepShowsTheFaceAgain() {
+  const QString caption = window_->face_view().caption();
+  user().choose_step("motion_page");
+  QVERIFY(window_->face_view().tool() == nullptr);
+  QVERIFY(window_->face_view().caption() != caption);
+  QVERIFY((window_->face_view().face_points() - user().model().response().face).norm() == 0);
+  user().shoot("registration_left");
+  user().choose_step("RegistrationPanel");
+  QTest::qWait(1);
+  QVERIFY(window_->face_view().caption() == caption);
+}
+
+void RegistrationTest::cleanupTestCase() {
+  window_.reset();
+}
+
+}  // namespace gnathion::test
+
+int main(int argc, char** argv) {
+  gnathion::prepare_graphics();
+  QApplication app(argc, argv);
+  gnathion::use_c_numbers();
+  gnathion::test::RegistrationTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "registration_test.moc"

@@ -1,5 +1,6 @@
 // Prints the figures of docs/evidence.md as Markdown tables: `./run evidence`.
 //   gnathion-evidence [CASE.json …]    the cases, e.g. the embedded one and the real CT
+//   gnathion-evidence --lips CASE.json …    only what cutting the lips apart changes
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -18,6 +19,7 @@
 #include "prediction/report.h"
 #include "support/face_patch.h"
 #include "tissue/bone_map.h"
+#include "tissue/lip_line.h"
 #include "tissue/st_generator.h"
 
 namespace {
@@ -214,6 +216,50 @@ void print_ray_trees() {
   }
 }
 
+/// How far landmarks follow the bone with the lips as one sheet and cut apart along the case's lip
+/// line, or along the proposed one.
+void print_lips(const std::string& path) {
+  const SurgicalCase plan = read_case_file(path);
+  heading("Lips: " + plan.name);
+  Progress progress;
+  const Anatomy anatomy = build_anatomy(plan, progress);
+  SurgicalCase parted = plan;
+  if (parted.region.lip_line.empty()) {
+    const LipLineProposal proposal = propose_lip_line(anatomy.face.mesh.surface, plan.landmarks);
+    parted.region.lip_line = proposal.line;
+    for (const std::string& doubt : proposal.doubts) std::cout << "doubt: " << doubt << "\n\n";
+  }
+  SurgicalCase joined = plan;
+  joined.region.lip_line.clear();
+  std::map<std::string, std::string> rows;
+  for (const SurgicalCase* variant : {&joined, &parted}) {
+    for (const bool answer : {false, true}) {
+      SurgicalCase asked = *variant;
+      if (!answer) {
+        asked.tissue.elements = Elements::linear;
+        asked.tissue.strain = Strain::small;
+      }
+      Progress quiet;
+      const FaceModel model(anatomy, asked.region, asked.tissue, quiet);
+      const Prediction prediction = make_prediction(asked, anatomy, model, quiet);
+      std::cout << (variant == &joined ? "joined" : "parted")
+                << (answer ? ", answer: " : ", linear: ") << model.problem().slit.size()
+                << " vertices doubled, " << tet_quality(model.problem().tissue.mesh).inverted
+                << " of " << model.problem().tissue.mesh.tets.rows() << " tets inverted, "
+                << prediction.inverted_after << " by the motion\n";
+      for (const auto& [name, response] : prediction.landmarks) {
+        char text[16];
+        std::snprintf(text, sizeof text, " %.2f |", response.ratio);
+        rows[name] += text;
+      }
+    }
+  }
+  std::cout
+      << "\n| landmark | linear, joined | answer, joined | linear, parted | answer, parted |\n"
+         "|---|---|---|---|---|\n";
+  for (const auto& [name, row] : rows) std::cout << "| " << name << " |" << row << "\n";
+}
+
 void print_case(const std::string& path) {
   SurgicalCase plan = read_case_file(path);
   heading("Case: " + plan.name);
@@ -270,11 +316,16 @@ void print_case(const std::string& path) {
 int main(int argc, char** argv) {
   try {
     std::cout.precision(3);
+    if (argc > 1 && std::string(argv[1]) == "--lips") {
+      for (int i = 2; i < argc; ++i) print_lips(argv[i]);
+      return 0;
+    }
     print_element_counts();
     print_hard_patches();
     print_patch_times();
     print_ray_trees();
     for (int i = 1; i < argc; ++i) print_case(argv[i]);
+    for (int i = 1; i < argc; ++i) print_lips(argv[i]);
     return 0;
   } catch (const std::exception& error) {
     std::cerr << "gnathion-evidence: " << error.what() << '\n';

@@ -183,13 +183,34 @@ void JsonReader::read(const std::string& key, bool& value) {
   value = found->get<bool>();
 }
 
+namespace {
+
+bool is_vector(const json& value) {
+  return value.is_array() && value.size() == 3 &&
+         std::all_of(value.begin(), value.end(), [](const json& x) { return x.is_number(); });
+}
+
+Eigen::Vector3d vector_of(const json& value) {
+  return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+}
+
+}  // namespace
+
 void JsonReader::read(const std::string& key, Eigen::Vector3d& value) {
   const json* found = implementation_->find(key);
   if (found == nullptr) return;
-  bool good = found->is_array() && found->size() == 3;
-  for (std::size_t i = 0; good && i < 3; ++i) good = (*found)[i].is_number();
-  if (!good) refuse(key, "it is not three numbers", "give [x, y, z]");
-  for (int i = 0; i < 3; ++i) value[i] = (*found)[static_cast<std::size_t>(i)].get<double>();
+  if (!is_vector(*found)) refuse(key, "it is not three numbers", "give [x, y, z]");
+  value = vector_of(*found);
+}
+
+void JsonReader::read(const std::string& key, std::vector<Eigen::Vector3d>& value) {
+  const json* found = implementation_->find(key);
+  if (found == nullptr) return;
+  if (!found->is_array() || !std::all_of(found->begin(), found->end(), is_vector)) {
+    refuse(key, "it is not a list of points", "give [[x, y, z], [x, y, z], …]");
+  }
+  value.clear();
+  for (const json& point : *found) value.push_back(vector_of(point));
 }
 
 void JsonReader::read(const std::string& key, Eigen::Matrix3d& value) {

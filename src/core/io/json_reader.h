@@ -36,6 +36,7 @@ class JsonReader {
   void read(const std::string& key, bool& value);
   void read(const std::string& key, Eigen::Vector3d& value);
   void read(const std::string& key, Eigen::Matrix3d& value);  ///< three rows
+  void read(const std::string& key, std::vector<Eigen::Vector3d>& value);
   std::string required_string(const std::string& key);
   Eigen::Vector3d required_vector(const std::string& key);
   std::vector<std::string> keys() const;

@@ -344,6 +344,10 @@ SurgicalCase read_plan(JsonReader& root, const fs::path& case_file) {
   read_positive(region, "reach_mm", plan.region.reach_mm);
   plan.region.vertices = read_vertices(region, "vertices", "vertices_file", case_file);
   region.read("erased", plan.region.erased);
+  region.read("lip_line", plan.region.lip_line);
+  if (plan.region.lip_line.size() == 1) {
+    region.refuse("lip_line", "it is one point", "give at least two, from corner to corner");
+  }
   region.finish();
   plan.tissue = read_tissue(root.object("tissue"), case_file);
   JsonReader landmarks = root.object("landmarks");
@@ -486,6 +490,9 @@ json plan_json(const SurgicalCase& plan, const fs::path& case_file) {
   }
   root["region"] = {{"reach_mm", plan.region.reach_mm}};
   if (plan.region.erased) root["region"]["erased"] = true;
+  for (const Eigen::Vector3d& point : plan.region.lip_line) {
+    root["region"]["lip_line"].push_back(vector_json(point));
+  }
   root["tissue"] = tissue_json(plan.tissue);
   root["landmarks"] = json::object();
   for (const auto& [name, place] : plan.landmarks) root["landmarks"][name] = vector_json(place);

@@ -31,6 +31,9 @@ struct RegionChoice {
   double reach_mm = 35;       ///< of the suggested region: distance from the segment
   std::vector<int> vertices;  ///< of the face, from 0; not empty: these instead
   bool erased = false;        ///< neither: all of it was erased and nothing is chosen yet
+  /// Between the lips on the face, LPS mm, from corner to corner: the region is cut open along it.
+  /// Empty: it is not.
+  std::vector<Eigen::Vector3d> lip_line;
 
   bool operator==(const RegionChoice&) const = default;
 };

@@ -87,13 +87,14 @@ std::vector<bool> marked_sliding(const TissueModel& model, const TissueProblem& 
                       std::to_string(problem.surface_map.rows()),
                   "give vertex numbers of the face, from 0");
     }
-    int nearest = -1;
     double most = 0;
     for (SurfaceMap::InnerIterator weight(problem.surface_map, v); weight; ++weight) {
-      if (weight.value() > most) nearest = static_cast<int>(weight.col());
       most = std::max(most, weight.value());
     }
-    if (nearest != -1) marked[nearest] = true;
+    // One on the line between the lips belongs to both sides alike.
+    for (SurfaceMap::InnerIterator weight(problem.surface_map, v); weight; ++weight) {
+      if (weight.value() == most) marked[weight.col()] = true;
+    }
   }
   return marked;
 }
@@ -231,7 +232,7 @@ void mesh_tissue(const Bones& bones, const TissueModel& model, TissueProblem& pr
     BoneBelow below;
     {
       const auto stage = progress.stage("bone below the face");
-      directions = offset_directions(problem.region, length);
+      directions = parted_directions(problem.slit, offset_directions(problem.region, length));
       below = bone_below(problem.region, directions, bones.segments, bones.skull, problem.links,
                          options);
     }
@@ -271,25 +272,46 @@ double rim_distance(const IntermediateMesh& region, const BspTree& segment) {
   return least;
 }
 
+/// Remeshes the region for the robust generator. `path`: of the lip line's vertices, if it has any;
+/// where the region is a remesh they are moved onto the line.
+void remesh(const TriangleMesh& face, const RegionChoice& choice, const TissueModel& model,
+            std::vector<int>& path, TissueProblem& problem) {
+  constexpr double kFineEnough = 3;  // mm: docs/evidence.md has the error of other edges
+  const IntermediateMesh& dense = problem.region;
+  CoarseRegion coarse =
+      coarse_region(dense, face.vertices, model.edge_mm > 0 ? model.edge_mm : kFineEnough);
+  if (!choice.lip_line.empty()) path = lip_path(coarse.region, choice.lip_line);
+  if (!path.empty() && coarse.region.face_vertex.empty()) {
+    coarse.region = drawn_to_line(coarse.region, BspTree(dense.mesh), path, choice.lip_line);
+    coarse.surface_map = barycentric_map(dense, coarse.region, face.vertices);
+  }
+  Unfolding unfolding = unfold(coarse.region);
+  problem.region = std::move(unfolding.region);
+  problem.surface_map.swap(coarse.surface_map);
+  problem.remeshed_mm = coarse.distance.p95;
+  problem.unfolded_count = unfolding.moved_count;
+  problem.unfolded_mm = unfolding.largest_move;
+}
+
+/// Chooses, remeshes and slits the region.
 void set_region(const Anatomy& anatomy, const RegionChoice& choice, const TissueModel& model,
                 const Bones& bones, TissueProblem& problem, Progress& progress) {
   const auto stage = progress.stage("region");
   const TriangleMesh& face = anatomy.face.mesh.surface;
   problem.region = choose_region(face, choice, bones.all_segments);
   problem.face_vertices = problem.region.face_vertex;
+  std::vector<int> path;
   if (model.generator == Generator::paper) {
     problem.surface_map = index_map(problem.region, face.vertices);
+    if (!choice.lip_line.empty()) path = lip_path(problem.region, choice.lip_line);
   } else {
-    constexpr double kFineEnough = 3;  // mm: docs/evidence.md has the error of other edges
-    CoarseRegion coarse = coarse_region(problem.region, face.vertices,
-                                        model.edge_mm > 0 ? model.edge_mm : kFineEnough);
-    problem.region = std::move(coarse.region);
-    problem.surface_map.swap(coarse.surface_map);
-    problem.remeshed_mm = coarse.distance.p95;
-    Unfolding unfolding = unfold(problem.region);
-    problem.region = std::move(unfolding.region);
-    problem.unfolded_count = unfolding.moved_count;
-    problem.unfolded_mm = unfolding.largest_move;
+    remesh(face, choice, model, path, problem);
+  }
+  if (!path.empty()) {
+    LipSlit slit = slit_along(problem.region, problem.surface_map, path);
+    problem.region = std::move(slit.region);
+    problem.surface_map.swap(slit.surface_map);
+    problem.slit = std::move(slit.vertices);
   }
   problem.rim_to_segment = rim_distance(problem.region, bones.all_segments);
   if (problem.rim_to_segment < kNearRim) {

@@ -4,6 +4,7 @@
 #include "prediction/anatomy.h"
 #include "tissue/bone_map.h"
 #include "tissue/coarse_region.h"
+#include "tissue/lip_slit.h"
 #include "tissue/st_generator.h"
 #include "tissue/tissue_from_ct.h"
 #include "tissue/unfold.h"
@@ -16,6 +17,7 @@ struct TissueProblem {
   IntermediateMesh region;         ///< what is meshed: the face's own vertices, or a remesh of them
   std::vector<int> face_vertices;  ///< of the face: the region that was chosen
   SurfaceMap surface_map;          ///< W, |face| × |region|
+  std::vector<SlitVertex> slit;    ///< the region's vertices that are doubled between the lips
   double remeshed_mm = 0;  ///< by which the face's vertices lie off a remesh, 95 %; 0: no remesh
   std::vector<BoneLink> links;  ///< the bone map
   std::vector<int> bone_below;  ///< M, as BoneBelow::bone
@@ -34,9 +36,9 @@ struct TissueProblem {
 };
 
 /// Chooses the region and meshes, maps and holds its tissue.
-/// Throws Error(anatomy): as the region's choice and the generator; when no bone of the segments
-/// lies under the region, so that nothing is driven; when the paper's generator inverts elements;
-/// Error(case_file) when a vertex that is to slide is not of the face.
+/// Throws Error(anatomy): as the region's choice, lip_path() and the generator; when no bone of the
+/// segments lies under the region, so that nothing is driven; when the paper's generator inverts
+/// elements; Error(case_file) when a vertex that is to slide is not of the face.
 TissueProblem build_tissue(const Anatomy& anatomy, const RegionChoice& region,
                            const TissueModel& model, Progress& progress);
 

@@ -120,6 +120,8 @@ class RandomPlans {
   void change_tissue() {
     plan_.region.reach_mm = positive();
     plan_.region.erased = coin();
+    plan_.region.lip_line.clear();
+    if (coin()) plan_.region.lip_line = {vector(), vector(), vector()};
     plan_.tissue.depth_mm = positive();
     plan_.tissue.slides_on_teeth = coin();
     plan_.tissue.material.young_MPa = positive();

@@ -40,6 +40,7 @@ SurgicalCase full_case(const fs::path& folder) {
   plan.photograph = PhotographSource{folder / "photo 1" / "né.obj", transform};
   plan.region.reach_mm = 42;
   plan.region.vertices = {0, 7, 12};
+  plan.region.lip_line = {{-24.5, -93, -41.9}, {0.1, -106.7, 1. / 3 - 42}, {24.5, -93, -41.9}};
   plan.tissue = {.generator = Generator::paper,
                  .depth_mm = 6,
                  .bone_reach_mm = 15,
@@ -115,6 +116,7 @@ void expect_equal(const SurgicalCase& a, const SurgicalCase& b) {
   }
   EXPECT_EQ(a.region.reach_mm, b.region.reach_mm);
   EXPECT_EQ(a.region.vertices, b.region.vertices);
+  EXPECT_EQ(a.region.lip_line, b.region.lip_line);
   EXPECT_EQ(a.tissue.generator, b.tissue.generator);
   EXPECT_EQ(a.tissue.depth_mm, b.tissue.depth_mm);
   EXPECT_EQ(a.tissue.bone_reach_mm, b.tissue.bone_reach_mm);
@@ -486,6 +488,11 @@ TEST(CaseFile, RefusesEveryWrongTypeWithItsPath) {
            {"region", R"({"reach_mm": "35"})", "region.reach_mm"},
            {"region", R"({"vertices_file": [1, 2]})", "region.vertices_file"},
            {"region", R"({"vertices": [1, 2]})", "region.vertices"},
+           {"region", R"({"lip_line": [0, 0, 0]})", "region.lip_line"},
+           {"region", R"({"lip_line": {"x": 1}})", "region.lip_line"},
+           {"region", R"({"lip_line": [[0, 0, 0], [1, 2]]})", "region.lip_line"},
+           {"region", R"({"lip_line": [[0, 0, 0], [1, 2, "3"]]})", "region.lip_line"},
+           {"region", R"({"lip_line": [[0, 0, 0]]})", "region.lip_line"},
            {"history", "[]", "history"},
            {"tissue", R"({"generator": 1})", "tissue.generator"},
            {"tissue", R"({"load": false})", "tissue.load"},

@@ -11,9 +11,10 @@
 #include <vtkNew.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
 
 #include "app/camera_mouse.h"
-#include <vtkUnsignedCharArray.h>
+#include "render/segment_colours.h"
 
 namespace gnathion {
 namespace {
@@ -60,6 +61,11 @@ FaceView::FaceView(QWidget* parent) : QWidget(parent), canvas_(new QVTKOpenGLNat
     dragging_ = true;
     set_quick(true);
     emit segment_dragged(translation);
+  });
+  handle_.on_turned([this](int axis, double degrees) {
+    dragging_ = true;
+    set_quick(true);
+    emit segment_turned(axis, degrees);
   });
   handle_.on_released([this](const Eigen::Vector3d&) {
     dragging_ = false;
@@ -187,7 +193,7 @@ void FaceView::show_anatomy(const LoadedCase& loaded) {
   for (std::size_t s = 0; s < loaded.anatomy->segments.size(); ++s) {
     const BoneSegment& segment = loaded.anatomy->segments[s];
     segments_.push_back("segment " + segment.name);
-    scene_.set_bone(segments_[s], segment.mesh, segment_look, loaded.coarse_segments[s]);
+    scene_.set_bone(segments_[s], segment.mesh, look_of_segment(s), loaded.coarse_segments[s]);
   }
   set_bone_visible(bone_visible_);
   shown_anatomy_ = loaded.anatomy;
@@ -283,9 +289,8 @@ void FaceView::show_change() {
 double FaceView::aspect_ratio() const {
   // A comparison may leave the scene a part of the picture.
   const double* part = scene_.renderer()->GetViewport();
-  const double whole = scene_.renderer()->GetActiveCamera()->GetWindowCenter()[0] == 0
-                           ? part[2] - part[0]
-                           : 1;
+  const double whole =
+      scene_.renderer()->GetActiveCamera()->GetWindowCenter()[0] == 0 ? part[2] - part[0] : 1;
   return whole * std::max(canvas_->width(), 1) / std::max(canvas_->height(), 1);
 }
 
@@ -295,7 +300,9 @@ void FaceView::look_from(CameraPreset view) {
 }
 
 void FaceView::set_face_opacity(double opacity) {
+  face_opacity_ = opacity;
   scene_.set_face_opacity(opacity);
+  emit look_changed();
   render_soon();
 }
 
@@ -328,6 +335,7 @@ void FaceView::set_before_visible(bool visible) {
   before_ = visible;
   show_points();
   show_change();
+  emit look_changed();
 }
 
 void FaceView::render_soon() {

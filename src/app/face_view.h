@@ -4,6 +4,7 @@
 #include <QTimer>
 #include <QWidget>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,7 @@ class FaceView : public QWidget {
   /// For turning and zooming other than by the mouse.
   CameraMouse& camera_mouse() { return *camera_mouse_; }
   void set_face_opacity(double opacity);
+  double face_opacity() const { return face_opacity_; }
   void set_face_textured(bool textured);
   void set_bone_visible(bool visible);
   void set_colour_map_visible(bool visible);
@@ -58,6 +60,14 @@ class FaceView : public QWidget {
   void set_change_range(double half_range_mm);
   /// true: face and segments where they were before any motion, until it is switched off.
   void set_before_visible(bool visible);
+  bool is_before_visible() const { return before_; }
+
+  /// About which the rings turn the active segment, mm, LPS, where it is without any motion; none:
+  /// there are no rings.
+  void set_pivot(const std::optional<Eigen::Vector3d>& pivot) { handle_.set_pivot(pivot); }
+  /// The grips keep to one of the patient's axes (0 left–right, 1 front–back, 2 up–down).
+  void set_axis_lock(std::optional<int> axis) { handle_.set_axis_lock(axis); }
+  bool is_grip_held() const { return handle_.is_held(); }
 
   /// The left button goes to `tool` first, until another is set; null: the camera only. The tool
   /// must outlive the view or be unset. The grips of the segment are hidden meanwhile.
@@ -84,7 +94,11 @@ class FaceView : public QWidget {
  signals:
   /// translation: of the segment, mm, LPS, while the mouse moves.
   void segment_dragged(const Eigen::Vector3d& translation);
+  /// A ring was turned about one of the patient's axes, degrees since it was taken, right-handed.
+  void segment_turned(int axis, double degrees);
   void drag_ended();
+  /// The face's opacity, or whether the state before the motion is shown.
+  void look_changed();
   void colour_map_switched(bool visible);
   /// After show_case(): whoever adds to the scene sets its parts up anew.
   void case_shown();
@@ -125,6 +139,7 @@ class FaceView : public QWidget {
   bool colour_map_ = false;
   double change_range_ = 0;
   bool before_ = false;
+  double face_opacity_ = 1;
   bool dragging_ = false;
   ViewTool* tool_ = nullptr;
   bool tool_drags_ = false;

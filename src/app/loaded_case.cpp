@@ -40,6 +40,16 @@ bool same_but_for_motions(const SurgicalCase& a, const SurgicalCase& b) {
 
 namespace {
 
+/// Whether the same model answers both: it is linear in the poses, whatever they turn about.
+bool same_but_for_pivots(const SurgicalCase& a, const SurgicalCase& b) {
+  if (a.segments.size() != b.segments.size()) return false;
+  SurgicalCase told = b;
+  for (std::size_t s = 0; s < a.segments.size(); ++s) {
+    told.segments[s].pivot = a.segments[s].pivot;
+  }
+  return same_but_for_motions(a, told);
+}
+
 /// Whether both plans have the same bones and the same face: a stroke of the brush changes neither.
 bool same_anatomy(const SurgicalCase& a, const SurgicalCase& b) {
   SurgicalCase other = b;
@@ -60,8 +70,12 @@ void add_anatomy(LoadedCase& loaded, const LoadedCase* known, Progress& progress
 }
 
 /// What the face follows by, or why it cannot.
-void add_model(LoadedCase& loaded, Progress& progress) {
+void add_model(LoadedCase& loaded, const LoadedCase* known, Progress& progress) {
   if (loaded.plan.segments.empty()) return;
+  if (known != nullptr && known->model && same_but_for_pivots(known->plan, loaded.plan)) {
+    loaded.model = known->model;
+    return;
+  }
   try {
     loaded.model = std::make_shared<const FaceModel>(*loaded.anatomy, loaded.plan.region,
                                                      loaded.plan.tissue, progress);
@@ -92,7 +106,7 @@ std::shared_ptr<const LoadedCase> load_case(const SurgicalCase& plan, const Load
     });
   }
   const std::shared_ptr<const Anatomy> anatomy = loaded->anatomy;
-  add_model(*loaded, progress);
+  add_model(*loaded, known, progress);
   loaded->landmarks =
       FaceLandmarks(loaded->plan.landmarks, anatomy->face.mesh.surface, anatomy->segments);
   const auto stage = progress.stage("bones for quick frames");

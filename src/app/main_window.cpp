@@ -75,6 +75,7 @@ MainWindow::MainWindow(QWidget* parent)
 
 MainWindow::~MainWindow() {
   // While the view lives, which goes with the other widgets.
+  panel_->set_active(false);
   registration_panel_->set_active(false);
   bone_panel_->set_active(false);
   region_panel_->set_active(false);
@@ -105,6 +106,7 @@ void MainWindow::show_step() {
   const QWidget* step = controller_.has_case() ? ui_->steps->currentWidget() : nullptr;
   // First the one that leaves: the view has one tool at a time.
   if (step != registration_panel_) registration_panel_->set_active(false);
+  panel_->set_active(step == ui_->motion_page);
   if (step != bone_panel_) bone_panel_->set_active(false);
   if (step != region_panel_) region_panel_->set_active(false);
   if (step != compare_panel_) compare_panel_->set_active(false);
@@ -307,6 +309,7 @@ void MainWindow::connect_grid_actions() {
 }
 
 void MainWindow::connect_motion() {
+  panel_->connect_to(controller_, *ui_->face_view);
   connect(panel_, &MotionPanel::motion_edited, this,
           [this](const JawMotion& motion) { controller_.set_motion(motion); });
   connect(ui_->face_view, &FaceView::segment_dragged, this, &MainWindow::drag_segment);

@@ -36,11 +36,43 @@ QString motion_words(const JawMotion& motion) {
   };
   QStringList said;
   for (const Part& part : parts) {
-    if (part.value == 0) continue;
-    const QString number = QLocale().toString(std::abs(part.value), 'g', 4);
+    const double rounded = std::round(100 * std::abs(part.value)) / 100;
+    if (rounded == 0) continue;
+    const QString number = QLocale().toString(rounded, 'g', 6);
     said << words(part.value > 0 ? part.positive : part.negative).arg(number);
   }
   return said.isEmpty() ? words("not moved") : said.join(QStringLiteral(", "));
+}
+
+namespace {
+
+/// Where a collision is, and whether the other side has one at least half as deep.
+QString side_words(const Collision& collision, double middle_x) {
+  constexpr double beside = 8;  // mm from the middle
+  bool left = false, right = false;
+  for (Eigen::Index i = 0; i < collision.places.rows(); ++i) {
+    if (collision.depths[i] < collision.depth / 2) continue;
+    left = left || collision.places(i, 0) > middle_x + beside;
+    right = right || collision.places(i, 0) < middle_x - beside;
+  }
+  if (left && right) return words(QT_TRANSLATE_NOOP("motion", "both sides"));
+  if (left) return words(QT_TRANSLATE_NOOP("motion", "left"));
+  if (right) return words(QT_TRANSLATE_NOOP("motion", "right"));
+  return words(QT_TRANSLATE_NOOP("motion", "in the middle"));
+}
+
+}  // namespace
+
+QString collision_words(const Collision& collision, const QStringList& segments, double middle_x) {
+  const QString who = landmark_words(segments[collision.segment].toStdString());
+  const QString depth = QLocale().toString(collision.depth, 'f', 1);
+  const QString side = side_words(collision, middle_x);
+  if (collision.other < 0) {
+    return words(QT_TRANSLATE_NOOP("motion", "%1 runs %2 mm into the fixed bone (%3)"))
+        .arg(who, depth, side);
+  }
+  return words(QT_TRANSLATE_NOOP("motion", "%1 and %2 run %3 mm into each other (%4)"))
+      .arg(who, segments[collision.other], depth, side);
 }
 
 QString landmark_words(const std::string& key) {

@@ -1,5 +1,6 @@
 #include "render/segment_handle.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -13,6 +14,9 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 #include <vtkSphereHandleRepresentation.h>
+
+#include "render/grip_colours.h"
+#include "render/turning_rings.h"
 
 namespace gnathion {
 namespace {
@@ -28,9 +32,9 @@ struct GripKind {
 
 const std::array<GripKind, 4> grip_kinds{{
     {{0, 0, 0}, -1, 16, {0.98, 0.72, 0.15}},
-    {{stalk, 0, 0}, 0, 10, {0.80, 0.27, 0.24}},
-    {{0, -stalk, 0}, 1, 10, {0.20, 0.58, 0.30}},
-    {{0, 0, stalk}, 2, 10, {0.18, 0.42, 0.78}},
+    {{stalk, 0, 0}, 0, 10, axis_colour(0)},
+    {{0, -stalk, 0}, 1, 10, axis_colour(1)},
+    {{0, 0, stalk}, 2, 10, axis_colour(2)},
 }};
 
 void colour_grip(vtkProperty* property, const Eigen::Vector3d& rgb) {
@@ -51,24 +55,32 @@ struct SegmentHandle::Impl {
     vtkNew<vtkCallbackCommand> command;
     Impl* owner = nullptr;
     Eigen::Vector3d offset = Eigen::Vector3d::Zero();
+    int axis = -1;
   };
 
   std::array<Grip, 4> grips;
+  TurningRings rings;
   vtkRenderer* renderer = nullptr;
   bool visible = true;
   Eigen::Vector3d home = Eigen::Vector3d::Zero();
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+  std::optional<Eigen::Vector3d> pivot;
+  std::optional<int> lock;
   Listener moved;
   Listener released;
 
   Impl() {
     for (size_t i = 0; i < grips.size(); ++i) set_up(grips[i], grip_kinds[i]);
+    rings.on_released([this] {
+      if (released) released(translation);
+    });
     place();
   }
 
   void set_up(Grip& grip, const GripKind& kind) {
     grip.owner = this;
     grip.offset = kind.offset;
+    grip.axis = kind.axis;
     grip.ball->SetHandleSize(kind.pixels);
     grip.ball->SetTranslationAxis(kind.axis);
     colour_grip(grip.ball->GetProperty(), kind.colour);
@@ -108,14 +120,20 @@ struct SegmentHandle::Impl {
       grip.line->SetPoint1(centre.data());
       grip.line->SetPoint2(tip.data());
     }
+    if (pivot) rings.set_centre(*pivot + translation);
+  }
+
+  bool is_there(const Grip& grip) const {
+    return visible && (!lock || grip.axis == -1 || grip.axis == *lock);
   }
 
   void refresh() {
     if (!renderer) return;
     for (Grip& grip : grips) {
-      grip.widget->SetEnabled(visible ? 1 : 0);
-      grip.line_actor->SetVisibility(visible);
+      grip.widget->SetEnabled(is_there(grip) ? 1 : 0);
+      grip.line_actor->SetVisibility(is_there(grip));
     }
+    rings.set_visible(visible && pivot);
   }
 };
 
@@ -133,11 +151,13 @@ void SegmentHandle::attach(vtkRenderWindowInteractor* interactor, vtkRenderer* r
     grip.widget->SetInteractor(interactor);
     grip.widget->SetDefaultRenderer(renderer);
   }
+  impl_->rings.attach(interactor, renderer);
   impl_->refresh();
 }
 
 void SegmentHandle::detach() {
   if (!impl_->renderer) return;
+  impl_->rings.detach();
   for (Impl::Grip& grip : impl_->grips) {
     grip.widget->SetEnabled(0);
     grip.widget->SetInteractor(nullptr);
@@ -169,12 +189,37 @@ Eigen::Vector3d SegmentHandle::translation() const {
   return impl_->translation;
 }
 
+void SegmentHandle::set_pivot(const std::optional<Eigen::Vector3d>& pivot) {
+  impl_->pivot = pivot;
+  impl_->place();
+  impl_->refresh();
+}
+
+void SegmentHandle::set_axis_lock(std::optional<int> axis) {
+  impl_->lock = axis;
+  impl_->grips[0].ball->SetTranslationAxis(axis.value_or(-1));
+  impl_->rings.set_axis_lock(axis);
+  impl_->refresh();
+}
+
+bool SegmentHandle::is_held() const {
+  if (impl_->rings.is_held()) return true;
+  return std::any_of(impl_->grips.begin(), impl_->grips.end(), [&](const Impl::Grip& grip) {
+    return impl_->is_there(grip) &&
+           grip.ball->GetInteractionState() != vtkHandleRepresentation::Outside;
+  });
+}
+
 void SegmentHandle::on_moved(Listener listener) {
   impl_->moved = std::move(listener);
 }
 
 void SegmentHandle::on_released(Listener listener) {
   impl_->released = std::move(listener);
+}
+
+void SegmentHandle::on_turned(std::function<void(int axis, double degrees)> listener) {
+  impl_->rings.on_turned(std::move(listener));
 }
 
 }  // namespace gnathion

@@ -1,5 +1,7 @@
 #include "render/segment_handle.h"
 
+#include <cmath>
+#include <utility>
 #include <vector>
 
 #include <vtkGenericRenderWindowInteractor.h>
@@ -9,6 +11,7 @@
 
 #include "offscreen/osmesa_window.h"
 #include "render/scene_fixture.h"
+#include "render/turning_rings.h"
 
 namespace gnathion::test {
 namespace {
@@ -30,6 +33,7 @@ class HandleTest : public SceneTest {
     handle.attach(interactor, scene.renderer());
     handle.on_moved([this](const Eigen::Vector3d& t) { moved.push_back(t); });
     handle.on_released([this](const Eigen::Vector3d& t) { released.push_back(t); });
+    handle.on_turned([this](int axis, double degrees) { turned.emplace_back(axis, degrees); });
     window->Render();
   }
   ~HandleTest() override {
@@ -46,7 +50,7 @@ class HandleTest : public SceneTest {
   }
 
   void mouse(unsigned long event, const Eigen::Vector2i& at) {
-    interactor->SetEventInformation(at.x(), at.y());
+    interactor->SetEventInformation(at.x(), at.y(), 0, shift ? 1 : 0);
     interactor->InvokeEvent(event);
   }
 
@@ -66,6 +70,8 @@ class HandleTest : public SceneTest {
   vtkNew<vtkInteractorStyleTrackballCamera> style;
   SegmentHandle handle;
   std::vector<Eigen::Vector3d> moved, released;
+  std::vector<std::pair<int, double>> turned;
+  bool shift = false;
 };
 
 TEST_F(HandleTest, BallFollowsTheMouseInThePicturesPlane) {
@@ -120,6 +126,105 @@ TEST_F(HandleTest, HiddenOrDetachedHandleTakesNoEvents) {
   EXPECT_FALSE(handle.is_attached());
   drag(home, {30, 0});
   EXPECT_TRUE(moved.empty());
+}
+
+// Inside the head, where only what is drawn in front can be seen and taken.
+const Eigen::Vector3d pivot(0, -40, -40);
+
+Eigen::Vector3d on_ring(int axis, double degrees) {
+  const double angle = degrees * 3.14159265358979 / 180;
+  Eigen::Vector3d p = pivot;
+  p[(axis + 1) % 3] += TurningRings::radius * std::cos(angle);
+  p[(axis + 2) % 3] += TurningRings::radius * std::sin(angle);
+  return p;
+}
+
+TEST_F(HandleTest, RingSeenFromItsAxisTurnsWithTheMouse) {
+  handle.set_pivot(pivot);
+  window->Render();
+  // The left profile looks along the pitch ring's axis.
+  drag(on_ring(0, 145), pixel_of(on_ring(0, 175)) - pixel_of(on_ring(0, 145)));
+  ASSERT_EQ(turned.size(), 10U);
+  for (const auto& [axis, degrees] : turned) EXPECT_EQ(axis, 0);
+  EXPECT_NEAR(turned.back().second, 30, 1);
+  EXPECT_TRUE(moved.empty());
+  ASSERT_EQ(released.size(), 1U);
+  EXPECT_EQ(released[0], Eigen::Vector3d::Zero());
+}
+
+TEST_F(HandleTest, RingSeenFromItsEdgeTurnsAsItsPointUnderTheMouse) {
+  handle.set_pivot(pivot);
+  window->Render();
+  // The yaw ring is a level line, its left side nearest to the eye: there back is the picture's
+  // right. Away from the roll ring, which crosses it in the middle.
+  const Eigen::Vector2i back = pixel_of(on_ring(2, 45)) - pixel_of(on_ring(2, 35));
+  drag(on_ring(2, 35), back);
+  ASSERT_FALSE(turned.empty());
+  EXPECT_EQ(turned.back().first, 2);
+  EXPECT_NEAR(turned.back().second, 9.3, 1.5);
+}
+
+TEST_F(HandleTest, RingsStayTakenForMoreThanAHalfTurn) {
+  handle.set_pivot(pivot);
+  window->Render();
+  mouse(vtkCommand::MouseMoveEvent, pixel_of(on_ring(0, 200)));
+  mouse(vtkCommand::LeftButtonPressEvent, pixel_of(on_ring(0, 200)));
+  for (int degrees = 200; degrees <= 200 + 270; degrees += 15) {
+    mouse(vtkCommand::MouseMoveEvent, pixel_of(on_ring(0, degrees)));
+  }
+  EXPECT_TRUE(handle.is_held());
+  mouse(vtkCommand::LeftButtonReleaseEvent, pixel_of(on_ring(0, 470)));
+  EXPECT_FALSE(handle.is_held());
+  EXPECT_NEAR(turned.back().second, 270, 1.5);
+}
+
+TEST_F(HandleTest, RingsAreSeenThroughTheHeadAndGoWithTheSegment) {
+  const auto ring_pixels = [&](const Eigen::Vector3d& at) {
+    window->Render();
+    return pixel_of(at);
+  };
+  handle.set_pivot(pivot);
+  handle.set_translation({0, -8, 0});
+  drag(on_ring(0, 145) + Eigen::Vector3d(0, -8, 0),
+       ring_pixels(on_ring(0, 165)) - ring_pixels(on_ring(0, 145)));
+  ASSERT_FALSE(turned.empty());
+  EXPECT_NEAR(turned.back().second, 20, 1);
+  // Where it was there is none any more.
+  turned.clear();
+  drag(on_ring(0, 145), {10, 0});
+  EXPECT_TRUE(turned.empty());
+}
+
+TEST_F(HandleTest, LockKeepsBallAndRingsToOneAxis) {
+  handle.set_pivot(pivot);
+  handle.set_axis_lock(2);
+  const Eigen::Vector2i ten = pixel_of(home + Eigen::Vector3d(0, -10, 5)) - pixel_of(home);
+  drag(home, ten);
+  ASSERT_EQ(released.size(), 1U);
+  EXPECT_NEAR(released[0].y(), 0, 1e-6);
+  EXPECT_NEAR(released[0].z(), 5, 1);
+  // Neither the pitch ring nor the forward grip is there.
+  const std::size_t moves = moved.size();
+  drag(on_ring(0, 135) + handle.translation(), {10, 0});
+  drag(home + handle.translation() + Eigen::Vector3d(0, -16, 0), {10, 0});
+  EXPECT_TRUE(turned.empty());
+  EXPECT_EQ(moved.size(), moves);
+  handle.set_axis_lock({});
+  drag(home + handle.translation(), ten);
+  EXPECT_LT(released.back().y(), -5);
+}
+
+TEST_F(HandleTest, ModifiersLeaveTheRingsToTheCamera) {
+  handle.set_pivot(pivot);
+  window->Render();
+  shift = true;
+  drag(on_ring(0, 145), {10, 10});
+  shift = false;
+  EXPECT_TRUE(turned.empty());
+  scene.look_from(CameraPreset::left, 1);  // the drag has moved the camera
+  handle.set_pivot({});
+  drag(on_ring(0, 145), {10, 10});
+  EXPECT_TRUE(turned.empty());
 }
 
 }  // namespace

@@ -43,16 +43,16 @@ TEST_F(SceneTest, BarIsAsLongAsItSaysAtTheDepthOfTheFocus) {
   ScaleBar bar;
   bar.attach(scene.renderer());
   const Picture with = front();
-  // Two points of the patient so far apart, at the focus, where they fall on the picture.
-  const double mm = scale_bar_mm(pixels_per_mm(*scene.renderer()), 0.25 * 320);
-  Eigen::Vector3d focus(scene.renderer()->GetActiveCamera()->GetFocalPoint());
+  // How far apart two points at the focus, a mm from each other, fall on the picture.
+  const Eigen::Vector3d focus(scene.renderer()->GetActiveCamera()->GetFocalPoint());
   double columns[2];
   for (int end = 0; end < 2; ++end) {
-    scene.renderer()->SetWorldPoint(focus.x() + end * mm, focus.y(), focus.z(), 1);
+    scene.renderer()->SetWorldPoint(focus.x() + end, focus.y(), focus.z(), 1);
     scene.renderer()->WorldToView();
     columns[end] = 160 * (1 + scene.renderer()->GetViewPoint()[0]);
   }
-  EXPECT_NEAR(bar_length(with, without), columns[1] - columns[0], 3);
+  const double pixels = columns[1] - columns[0];
+  EXPECT_NEAR(bar_length(with, without), pixels * scale_bar_mm(pixels, 0.25 * 320), 3);
   bar.detach();
   EXPECT_EQ(front(), without);
 }

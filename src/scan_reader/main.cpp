@@ -3,10 +3,10 @@
 // file may come from a stranger and assimp is known to write outside its memory, so this is a
 // program of its own, with as little as possible within reach: what a file breaks is this.
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
+#include <csignal>
 
 #include <algorithm>
 #include <cctype>

@@ -310,6 +310,29 @@ TEST_F(Cli, EachStepHasItsVerb) {
             bytes_of(folder() / "region/region.ply"));
 }
 
+TEST_F(Cli, ScanLooksAtAFaceScanAndConvertsIt) {
+  const CliRun look = run_cli(folder(), {"-q", "scan", "demo/photograph/face.obj"});
+  ASSERT_EQ(look.code, 0) << look.err;
+  for (const char* words :
+       {"12179 vertices", "unit: surely mm", "left +x, back -z, up +y", "1 border"}) {
+    EXPECT_NE(look.out.find(words), std::string::npos) << look.out;
+  }
+  const CliRun write = run_cli(folder(), {"-q", "scan", "demo/photograph/face.obj", "demo/als GLB",
+                                          "--as", "glb", "--orient"});
+  ASSERT_EQ(write.code, 0) << write.err;
+  EXPECT_NE(write.out.find("repaired: 0 triangles turned"), std::string::npos) << write.out;
+  // A case takes the GLB as it took the OBJ: the same face, in single precision.
+  const std::string plan =
+      changed_case("glb.json", [](json& c) { c["photograph"]["obj"] = "als GLB/face.glb"; });
+  const CliRun run = run_cli(folder(), {"-q", "surfaces", plan, "of glb"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(names_in(folder() / "of glb"),
+            (std::vector<std::string>{"bone.ply", "face.mtl", "face.obj", "face_0.png"}));
+  EXPECT_EQ(bytes_of(folder() / "of glb/face_0.png"), bytes_of(demo() / "photograph/face.png"));
+  const CliRun bad = run_cli(folder(), {"-q", "scan", "demo/case.json"});
+  EXPECT_EQ(bad.code, 4) << bad.err;
+}
+
 TEST_F(Cli, SettleFollowsTheTissueInTime) {
   const CliRun run = run_cli(folder(), {"-q", "settle", "demo/case.json", "settled"});
   ASSERT_EQ(run.code, 0) << run.err;

@@ -1,6 +1,6 @@
 #include "scan/scan_import.h"
 
-#include <signal.h>
+#include <csignal>
 
 #include <algorithm>
 #include <cctype>

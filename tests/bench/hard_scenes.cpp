@@ -16,7 +16,7 @@ namespace {
 
 using test::head_scene;
 
-const RegionChoice kAround{40, {}};
+const RegionChoice kAround{40, {}, false, {}};
 
 FaceModel model_of(const Anatomy& head, const RegionChoice& region = kAround,
                    const TissueModel& tissue = {}) {
@@ -56,7 +56,7 @@ std::vector<int> vertices_between(const Anatomy& head, const Eigen::Vector3d& fr
 }
 
 RegionChoice chosen(std::vector<int> vertices) {
-  return {0, std::move(vertices)};
+  return {0, std::move(vertices), false, {}};
 }
 
 /// The three vertices of the triangle over the segment.

@@ -8,7 +8,7 @@
 namespace gnathion {
 namespace {
 
-const RegionChoice reach_of_40{40, {}};
+const RegionChoice reach_of_40{40, {}, false, {}};
 
 TissueModel tissue(Elements elements, Strain strain, double tolerance_mm = 0.5) {
   TissueModel model;

@@ -17,7 +17,7 @@ namespace {
 using Eigen::Vector3d;
 using test::expect_error;
 
-const RegionChoice reach_of_40{40, {}};
+const RegionChoice reach_of_40{40, {}, false, {}};
 
 /// One model for the tests that only ask it.
 const FaceModel& head_model() {
@@ -288,7 +288,7 @@ TEST(FaceModel, RefusesARegionWithNoBoneOfTheSegmentBelow) {
 TEST(FaceModel, RefusesARegionWithoutARim) {
   Progress progress;
   expect_error(ErrorKind::anatomy, {"no rim"}, [&] {
-    FaceModel(test::head_scene(), RegionChoice{500, {}}, {}, progress);
+    FaceModel(test::head_scene(), RegionChoice{500, {}, false, {}}, {}, progress);
   });
 }
 
@@ -309,7 +309,7 @@ TEST(FaceModel, CanBeCancelled) {
 
 TEST(FaceModel, SaysWhenTheRimComesNearTheMovingBone) {
   Progress progress;
-  build_tissue(test::head_scene(), RegionChoice{13, {}}, {}, progress);
+  build_tissue(test::head_scene(), RegionChoice{13, {}, false, {}}, {}, progress);
   ASSERT_EQ(progress.notices().size(), 1U);
   EXPECT_NE(progress.notices()[0].find("rim"), std::string::npos);
 }

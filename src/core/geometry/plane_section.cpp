@@ -1,19 +1,38 @@
 #include "geometry/plane_section.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
 namespace gnathion {
 namespace {
 
-constexpr Eigen::Index run_length = 64;
+constexpr std::size_t run_length = 64;
+constexpr double cell_mm = 6;
 
 }  // namespace
 
 PlaneSection::PlaneSection(std::shared_ptr<const TriangleMesh> surface)
     : surface_(std::move(surface)) {
+  sort_triangles();
   make_boxes();
+}
+
+/// By the cell of a grid that a triangle's first corner lies in, at rest: surfaces come row by row
+/// of a volume, where a run of triangles would reach across half the head.
+void PlaneSection::sort_triangles() {
+  const Triangles& triangles = surface_->triangles;
+  std::vector<std::pair<std::array<int, 3>, int>> cells;
+  cells.reserve(static_cast<std::size_t>(triangles.rows()));
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t) {
+    const Eigen::Array3i cell =
+        (surface_->vertices.row(triangles(t, 0)).array() / cell_mm).floor().cast<int>();
+    cells.push_back({{cell.x(), cell.y(), cell.z()}, static_cast<int>(t)});
+  }
+  std::sort(cells.begin(), cells.end());
+  order_.clear();
+  for (const auto& [cell, triangle] : cells) order_.push_back(triangle);
 }
 
 void PlaneSection::set_points(Points points) {
@@ -25,12 +44,12 @@ void PlaneSection::make_boxes() {
   const Triangles& triangles = surface_->triangles;
   const Points& places = points();
   boxes_.clear();
-  for (Eigen::Index first = 0; first < triangles.rows(); first += run_length) {
+  for (std::size_t first = 0; first < order_.size(); first += run_length) {
     Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::max());
     Eigen::Vector3d high = -low;
-    for (Eigen::Index t = first; t < std::min(first + run_length, triangles.rows()); ++t) {
+    for (std::size_t t = first; t < std::min(first + run_length, order_.size()); ++t) {
       for (int corner = 0; corner < 3; ++corner) {
-        const Eigen::Vector3d p = places.row(triangles(t, corner));
+        const Eigen::Vector3d p = places.row(triangles(order_[t], corner));
         low = low.cwiseMin(p);
         high = high.cwiseMax(p);
       }
@@ -64,9 +83,9 @@ std::vector<SectionLine> PlaneSection::cut(const Eigen::Vector3d& normal, double
   for (std::size_t run = 0; run < boxes_.size(); ++run) {
     const Box& box = boxes_[run];
     if (std::abs(normal.dot(box.centre) - offset) > size.dot(box.half)) continue;
-    const Eigen::Index first = static_cast<Eigen::Index>(run) * run_length;
-    const Eigen::Index end = std::min(first + run_length, surface_->triangles.rows());
-    for (Eigen::Index t = first; t < end; ++t) cut_triangle(t, normal, offset, lines);
+    const std::size_t first = run * run_length;
+    const std::size_t end = std::min(first + run_length, order_.size());
+    for (std::size_t t = first; t < end; ++t) cut_triangle(order_[t], normal, offset, lines);
   }
   return lines;
 }

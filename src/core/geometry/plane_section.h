@@ -12,10 +12,10 @@ namespace gnathion {
 using SectionLine = std::array<Eigen::Vector3d, 2>;
 
 /// Cuts one surface by planes, many times: runs of triangles that lie on one side of the plane are
-/// passed over by their boxes (a section of half a million triangles takes about a millisecond).
+/// passed over by their boxes.
 class PlaneSection {
  public:
-  /// surface: shared, not copied, its triangles best in an order in which neighbours are near.
+  /// surface: shared, not copied.
   explicit PlaneSection(std::shared_ptr<const TriangleMesh> surface);
 
   /// Other places for the surface's vertices (n×3, mm, LPS), as of a face that has moved.
@@ -30,13 +30,15 @@ class PlaneSection {
     Eigen::Vector3d centre, half;
   };
   const Points& points() const { return moved_.rows() > 0 ? moved_ : surface_->vertices; }
+  void sort_triangles();
   void make_boxes();
   void cut_triangle(Eigen::Index triangle, const Eigen::Vector3d& normal, double offset,
                     std::vector<SectionLine>& lines) const;
 
   std::shared_ptr<const TriangleMesh> surface_;
   Points moved_;            ///< empty: the surface's own
-  std::vector<Box> boxes_;  ///< of the runs of triangles
+  std::vector<int> order_;  ///< the triangles, such that neighbours are near
+  std::vector<Box> boxes_;  ///< of runs of them
 };
 
 }  // namespace gnathion

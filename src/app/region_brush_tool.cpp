@@ -132,7 +132,8 @@ Points RegionBrushTool::cursor_at(const Hit& at) const {
   const Eigen::Vector3d x = out.unitOrthogonal(), y = out.cross(x);
   Points ends(2 * kSides, 3);
   for (int i = 0; i < 2 * kSides; ++i) {
-    const double angle = 2 * std::numbers::pi * ((i + 1) / 2) / kSides;
+    const int corner = (i + 1) / 2;  // each side has two ends
+    const double angle = 2 * std::numbers::pi * corner / kSides;
     ends.row(i) =
         at.place + radius_ * (std::cos(angle) * x + std::sin(angle) * y) + kCursorLift * out;
   }

@@ -105,7 +105,7 @@ void RegionEditor::end_stroke() {
   if (target_ == BrushTarget::sliding) {
     commit(erases_ ? tr("Erase sliding tissue") : tr("Paint sliding tissue"));
   } else {
-    set_region(std::move(region_), erases_ ? tr("Erase from the region") : tr("Paint the region"));
+    set_region(region_, erases_ ? tr("Erase from the region") : tr("Paint the region"));
   }
 }
 
@@ -115,7 +115,7 @@ void RegionEditor::drop_stroke() {
   take_plan();
 }
 
-void RegionEditor::set_region(Selection region, const QString& step) {
+void RegionEditor::set_region(const Selection& region, const QString& step) {
   region_ = without_pinches(*brush_, region);
   outline_again();
   faults_ = region_faults(*brush_, region_);

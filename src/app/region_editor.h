@@ -76,7 +76,7 @@ class RegionEditor : public QObject {
   Selection region_of_plan() const;
   bool is_suggestion_awaited() const;
   bool is_hidden(int vertex);
-  void set_region(Selection region, const QString& step);
+  void set_region(const Selection& region, const QString& step);
   void commit(const QString& step);
   void outline_again();
 

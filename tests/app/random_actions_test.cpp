@@ -1,6 +1,7 @@
 // A user without a plan: random clicks, keys, numbers and drags on everything that can be seen,
 // from a fixed seed. Nothing may crash, no state may be invalid, and in the end the case can still
-// be saved and read back. Arguments of the form seed=N, actions=N change the defaults.
+// be saved and read back. Arguments of the form seed=N, actions=N change the defaults;
+// GNATHION_TELL in the environment tells each.
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
 #include <QAction>
@@ -13,7 +14,7 @@
 #include <QOpenGLWidget>
 #include <QSignalSpy>
 #include <QSlider>
-#include <QTabBar>
+#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QWheelEvent>
@@ -128,11 +129,15 @@ class Monkey {
     return QString("key %1 in %2").arg(pressed).arg(to->objectName());
   }
 
+  /// With a name: those without are the tools of actions, and Qt's own. Mostly of the step's page.
   template <typename T>
-  QList<T*> visible() const {
+  QList<T*> visible() {
+    const auto* steps = window_.findChild<QTabWidget*>("steps");
+    const QWidget* scope = below(4) == 0 ? &window_ : steps->currentWidget();
     QList<T*> all;
-    for (T* widget : window_.findChildren<T*>()) {
-      if (widget->isVisible() && widget->isEnabled()) all << widget;
+    for (T* widget : scope->findChildren<T*>()) {
+      const bool named = !widget->objectName().isEmpty() && !widget->objectName().startsWith("qt_");
+      if (named && widget->isVisible() && widget->isEnabled()) all << widget;
     }
     return all;
   }
@@ -140,9 +145,9 @@ class Monkey {
   QString use_widget() {
     switch (below(5)) {
       case 0:
-        if (auto* bar = any(visible<QTabBar>())) {
-          bar->setCurrentIndex(below(bar->count()));
-          return "tab " + bar->tabText(bar->currentIndex());
+        if (auto* steps = window_.findChild<QTabWidget*>("steps"); steps->isVisible()) {
+          steps->setCurrentIndex(below(steps->count()));
+          return "step " + steps->currentWidget()->objectName();
         }
         break;
       case 1:
@@ -231,6 +236,7 @@ void RandomActionsTest::nothingBreaks() {
   QStringList done;
   for (int i = 0; i < actions; ++i) {
     done << monkey.act();
+    if (qEnvironmentVariableIsSet("GNATHION_TELL")) qInfo("%s", qPrintable(done.last()));
     QTest::qWait(i % 10 == 0 ? 120 : 5);
     if (!window.isVisible()) window.show();
     const QString problem = broken(window.controller());

@@ -15,7 +15,7 @@ using test::expect_error;
 const FaceModel& head_model() {
   static const FaceModel model = [] {
     Progress progress;
-    return FaceModel(test::head_scene(), {40, {}}, {}, progress);
+    return FaceModel(test::head_scene(), RegionChoice{40, {}, false, {}}, {}, progress);
   }();
   return model;
 }
@@ -137,7 +137,7 @@ TEST(Settling, RefusesWhatMakesNoMotion) {
     Progress progress;
     TissueModel force;
     force.load = LoadModel::force;
-    const FaceModel model(test::head_scene(), {40, {}}, force, progress);
+    const FaceModel model(test::head_scene(), RegionChoice{40, {}, false, {}}, force, progress);
     settle(
         model, advance, {}, [](const SettlingFrame&) {}, progress);
   });

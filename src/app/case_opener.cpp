@@ -35,11 +35,6 @@ QFileDialog* file_dialog(QWidget& window, const QString& title, const char* name
   return dialog;
 }
 
-/// Of the box around the points, LPS mm.
-Eigen::Vector3d middle_of(const Points& points) {
-  return (points.colwise().minCoeff() + points.colwise().maxCoeff()).transpose() / 2;
-}
-
 bool has_files(const QMimeData& data) {
   const QList<QUrl> urls = data.urls();
   return !urls.isEmpty() &&
@@ -141,16 +136,13 @@ void CaseOpener::ask_photograph(const fs::path& obj) {
     throw Error(ErrorKind::input, obj.string(), "is a photograph, and no case is open to add it to",
                 "open a case or import a CT first, then drop the photograph again");
   }
-  auto* dialog = new PhotographDialog(obj, &window_);
+  auto* dialog = new PhotographDialog(
+      obj, controller_.loaded().anatomy->face.mesh.surface.vertices, &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &PhotographDialog::photograph_chosen, this,
-          [this](PhotographSource photograph, bool to_be_fitted) {
+          [this](const PhotographSource& photograph, bool to_be_fitted) {
             if (!controller_.has_case()) return;
             SurgicalCase plan = controller_.plan();
-            if (to_be_fitted) {
-              photograph.lps_from_photograph.translation +=
-                  middle_of(controller_.loaded().anatomy->face.mesh.surface.vertices);
-            }
             plan.photograph = photograph;
             plan.region.vertices.clear();  // they count the vertices of the face before
             plan.tissue.sliding_vertices.clear();

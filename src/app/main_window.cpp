@@ -173,6 +173,7 @@ void MainWindow::connect_file_actions() {
           &CaseOpener::ask_photograph_file);
   connect(registration_panel_, &RegistrationPanel::failed, ui_->message_bar,
           &MessageBar::show_failure);
+  connect(registration_panel_, &RegistrationPanel::fit_began, ui_->message_bar, &QWidget::hide);
   connect(&opener_, &CaseOpener::photograph_added, this,
           [this](const std::filesystem::path& file, bool to_be_fitted) {
             if (!to_be_fitted) return;

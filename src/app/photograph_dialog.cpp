@@ -14,10 +14,20 @@ namespace {
 /// Millimetres in a unit, by its place in the box; the first is none.
 constexpr std::array<double, 4> mm_of_unit{0, 1, 10, 1000};
 
+/// Of points in LPS, in any unit: the middle of the front of their box.
+Eigen::Vector3d front_of(const Points& points) {
+  const Eigen::Vector3d least = points.colwise().minCoeff(), most = points.colwise().maxCoeff();
+  return {(least.x() + most.x()) / 2, least.y(), (least.z() + most.z()) / 2};
+}
+
 }  // namespace
 
-PhotographDialog::PhotographDialog(const std::filesystem::path& obj, QWidget* parent)
-    : QDialog(parent), ui_(std::make_unique<Ui::PhotographDialog>()), obj_(obj) {
+PhotographDialog::PhotographDialog(const std::filesystem::path& obj, const Points& face,
+                                   QWidget* parent)
+    : QDialog(parent),
+      ui_(std::make_unique<Ui::PhotographDialog>()),
+      obj_(obj),
+      front_(front_of(face)) {
   ui_->setupUi(this);
   ui_->photograph_label->setText(
       tr("What <b>%1</b> does not say about itself:")
@@ -53,9 +63,7 @@ void PhotographDialog::read_scan_size() {
     progress.check();
     Similarity upright;
     upright.rotation = scan_axes(surface).lps_from_scan;
-    const Eigen::RowVector3d middle =
-        (surface.vertices.colwise().minCoeff() + surface.vertices.colwise().maxCoeff()) / 2;
-    upright.translation = -upright.rotation * middle.transpose();
+    upright.translation = -front_of(moved(surface.vertices, upright));
     return [this, unit, upright] {
       upright_ = upright;
       show_proposal(unit);
@@ -65,10 +73,11 @@ void PhotographDialog::read_scan_size() {
 }
 
 void PhotographDialog::show_proposal(const ProposedUnit& unit) {
-  const QString reason = QString::fromStdString(unit.reason).toHtmlEscaped();
+  QString reason = QString::fromStdString(unit.reason).toHtmlEscaped();
+  if (!reason.isEmpty()) reason[0] = reason[0].toUpper();
   ui_->photograph_proposal_label->setText(
-      unit.name.empty() ? tr("No usual unit would make it as large as a head. %1").arg(reason)
-                        : tr("Likely unit by its size: <b>%1</b>. %2")
+      unit.name.empty() ? tr("No usual unit would make it as large as a head. %1.").arg(reason)
+                        : tr("Likely unit by its size: <b>%1</b>. %2.")
                               .arg(QString::fromStdString(unit.name).toHtmlEscaped(), reason));
 }
 
@@ -85,6 +94,7 @@ void PhotographDialog::choose() {
   PhotographSource photograph{obj_, fits ? *upright_ : Similarity{}};
   photograph.lps_from_photograph.scale = mm;
   photograph.lps_from_photograph.translation *= mm;
+  if (fits) photograph.lps_from_photograph.translation += front_;
   emit photograph_chosen(photograph, fits);
   accept();
 }

@@ -21,12 +21,14 @@ namespace gnathion {
 class PhotographDialog : public QDialog {
   Q_OBJECT
  public:
-  explicit PhotographDialog(const std::filesystem::path& obj, QWidget* parent = nullptr);
+  /// face: n×3, mm, LPS, the present one: before it is where a photograph begins that has to be
+  /// fitted.
+  PhotographDialog(const std::filesystem::path& obj, const Points& face, QWidget* parent = nullptr);
   ~PhotographDialog() override;
 
  signals:
-  /// to_be_fitted: it is upright and faces forward about the origin, as far as its shape tells, and
-  /// in the stated unit, no more.
+  /// to_be_fitted: it is in the stated unit, upright and faces forward as far as its shape tells,
+  /// with its front where that of the present face is; no more.
   void photograph_chosen(const gnathion::PhotographSource& photograph, bool to_be_fitted);
 
  private:
@@ -37,7 +39,8 @@ class PhotographDialog : public QDialog {
 
   std::unique_ptr<Ui::PhotographDialog> ui_;
   std::filesystem::path obj_;
-  std::optional<Similarity> upright_;  ///< scale 1, the middle at the origin; none: not read yet
+  Eigen::Vector3d front_;              ///< of the present face, LPS mm
+  std::optional<Similarity> upright_;  ///< scale 1, front at the origin; none: not read yet
   BackgroundTask reading_;             // last: its worker stops first
 };
 

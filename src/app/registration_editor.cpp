@@ -174,6 +174,7 @@ void RegistrationEditor::measure() {
 }
 
 void RegistrationEditor::start(Fit fit) {
+  emit fit_began();
   measuring_.cancel();
   fitting_.start([this, job = job(), fit = std::move(fit)](Progress& progress) mutable {
     job.make_surfaces(progress);
@@ -289,13 +290,13 @@ void RegistrationEditor::set_landmark(std::size_t landmark, PickedSurface on, co
     const Similarity& place = shown().lps_from_photograph;
     picked.photograph = place.displacement_to_source(lps - place.translation);
   }
-  emit changed();
+  emit landmarks_changed();
 }
 
 void RegistrationEditor::clear_landmark(std::size_t landmark) {
   landmarks_.at(landmark).photograph.reset();
   landmarks_.at(landmark).lps.reset();
-  emit changed();
+  emit landmarks_changed();
 }
 
 std::map<std::string, double> RegistrationEditor::residuals() const {

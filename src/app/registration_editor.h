@@ -92,6 +92,8 @@ class RegistrationEditor : public QObject {
 
  signals:
   void changed();
+  void landmarks_changed();  ///< nothing else has
+  void fit_began();
   void stage_began(const QString& stage);
   void failed(const gnathion::Failure& failure);
 

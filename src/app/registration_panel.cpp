@@ -16,8 +16,9 @@
 namespace gnathion {
 namespace {
 
-constexpr double veil = 0.3;        // opacity of the skin over the photograph
-constexpr double colour_range = 4;  // mm at the ends of the colours
+constexpr double veil = 0.3;           // opacity of the skin over the photograph
+constexpr double colour_range = 4;     // mm at the ends of the colours
+constexpr double least_on_skin = 0.4;  // share of the photograph within 2 mm; else it is told
 
 enum LandmarkColumn { name_column, photograph_column, ct_column, before_column, now_column };
 
@@ -30,12 +31,12 @@ QString words_for(const std::string& landmark) {
   const std::pair<const char*, QString> words[] = {
       {"nasion", RegistrationPanel::tr("Nasion")},
       {"nose_tip", RegistrationPanel::tr("Nose tip")},
-      {"canthus_outer_right", RegistrationPanel::tr("Outer canthus, right")},
-      {"canthus_inner_right", RegistrationPanel::tr("Inner canthus, right")},
-      {"canthus_inner_left", RegistrationPanel::tr("Inner canthus, left")},
-      {"canthus_outer_left", RegistrationPanel::tr("Outer canthus, left")},
-      {"mouth_corner_right", RegistrationPanel::tr("Mouth corner, right")},
-      {"mouth_corner_left", RegistrationPanel::tr("Mouth corner, left")},
+      {"canthus_outer_right", RegistrationPanel::tr("Outer canthus R")},
+      {"canthus_inner_right", RegistrationPanel::tr("Inner canthus R")},
+      {"canthus_inner_left", RegistrationPanel::tr("Inner canthus L")},
+      {"canthus_outer_left", RegistrationPanel::tr("Outer canthus L")},
+      {"mouth_corner_right", RegistrationPanel::tr("Mouth corner R")},
+      {"mouth_corner_left", RegistrationPanel::tr("Mouth corner L")},
       {"pogonion", RegistrationPanel::tr("Pogonion (chin)")}};
   const auto* found = std::find_if(std::begin(words), std::end(words),
                                    [&](const auto& word) { return landmark == word.first; });
@@ -88,8 +89,8 @@ void set_up(QTableWidget* table, const QStringList& columns, const QStringList& 
   fit_height(table);
 }
 
-QString sentence(const std::string& text) {
-  QString words = QString::fromStdString(text);
+/// Begins with a capital; for rich text.
+QString sentence(QString words) {
   if (!words.isEmpty()) words[0] = words[0].toUpper();
   return words.toHtmlEscaped();
 }
@@ -115,7 +116,15 @@ RegistrationPanel::RegistrationPanel(CaseController& controller, FaceView& view,
   connect_nudge();
   connect(&editor_, &RegistrationEditor::changed, this, &RegistrationPanel::show_soon);
   connect(&editor_, &RegistrationEditor::failed, this, &RegistrationPanel::failed);
-  connect(&editor_, &RegistrationEditor::stage_began, ui_->fit_stage_label, &QLabel::setText);
+  connect(&editor_, &RegistrationEditor::landmarks_changed, this, [this] {
+    show_landmarks();
+    update_enabled();
+    show_marks();
+    view_.render_soon();
+  });
+  connect(&editor_, &RegistrationEditor::fit_began, this, &RegistrationPanel::fit_began);
+  connect(&editor_, &RegistrationEditor::stage_began, this,
+          [this](const QString& stage) { ui_->fit_stage_label->setText(sentence(stage)); });
   connect(&view_, &FaceView::case_shown, this, [this] {
     if (has_scene_) set_bones_drawn(false);  // they may be new
     show_state();
@@ -306,7 +315,7 @@ void RegistrationPanel::show_doubts() {
     warns = !proposal->doubts.empty();
     for (const RegistrationDoubt& doubt : proposal->doubts) {
       words << tr("%1. What to do: %2.")
-                   .arg(sentence(doubt.problem),
+                   .arg(sentence(QString::fromStdString(doubt.problem)),
                         QString::fromStdString(doubt.remedy).toHtmlEscaped());
     }
     if (!warns) {
@@ -316,13 +325,17 @@ void RegistrationPanel::show_doubts() {
     }
   } else if (proposal != nullptr) {
     words << tr("A proposal: the plan keeps its place until you accept it.");
+  } else if (editor_.has_photograph() && editor_.present().is_measured) {
+    warns = editor_.present().quality.agrees * editor_.present().quality.near < least_on_skin;
+    if (warns) words << tr("The photograph does not lie on the CT's skin. What to do: fit it.");
   }
   const QString text = words.join("<br>");
   ui_->doubt_label->setText(
       warns ? QString("<b style='color:%1'>%2</b>").arg(warning_colour(palette()).name(), text)
             : text);
   ui_->doubt_label->setVisible(!words.isEmpty());
-  ui_->accept_fit_button->setText(warns ? tr("A&ccept all the same") : tr("A&ccept"));
+  ui_->accept_fit_button->setText(warns && proposal != nullptr ? tr("A&ccept all the same")
+                                                               : tr("A&ccept"));
 }
 
 void RegistrationPanel::show_landmarks() {
@@ -368,8 +381,11 @@ void RegistrationPanel::update_enabled() {
                                        ui_->fit_region_box, ui_->refine_button, ui_->nudge_group}) {
     widget->setEnabled(free);
   }
-  ui_->show_group->setEnabled(editor_.has_photograph());
-  ui_->registration_landmark_group->setEnabled(editor_.has_photograph());
+  for (QWidget* group :
+       std::initializer_list<QWidget*>{ui_->placement_group, ui_->show_group, ui_->fit_group,
+                                       ui_->registration_landmark_group, ui_->nudge_group}) {
+    group->setVisible(editor_.has_photograph());
+  }
   ui_->fit_landmarks_button->setEnabled(free && editor_.complete_landmarks() >= 3);
   const auto& chosen = editor_.landmarks()[tool_.landmark()];
   ui_->clear_landmark_button->setEnabled(chosen.photograph || chosen.lps);

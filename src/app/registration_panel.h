@@ -38,6 +38,7 @@ class RegistrationPanel : public QWidget {
 
  signals:
   void photograph_wanted();  ///< a file is to be chosen
+  void fit_began();
   void failed(const gnathion::Failure& failure);
 
  private:

@@ -44,7 +44,7 @@ vtkSmartPointer<vtkTextActor> text_of(const LandmarkMark& mark) {
   auto text = vtkSmartPointer<vtkTextActor>::New();
   text->GetPositionCoordinate()->SetCoordinateSystemToWorld();
   text->GetPositionCoordinate()->SetValue(mark.at.x(), mark.at.y(), mark.at.z());
-  text->SetInput(("  " + mark.words).c_str());
+  text->SetInput(("    " + mark.words).c_str());  // room for the dot
   vtkTextProperty* look = text->GetTextProperty();
   look->SetFontSize(13);
   look->SetBold(mark.chosen);
@@ -74,11 +74,14 @@ struct LandmarkMarks::Impl {
 
   std::array<Layer*, 5> layers() { return {&lines, &chosen, &edges, &photograph, &ct}; }
 
-  void drop_texts() {
-    for (const auto& text : texts) {
-      if (renderer != nullptr) renderer->RemoveViewProp(text);
-    }
-    texts.clear();
+  /// What is added later is drawn over what came before: dots over the words' background.
+  void add() {
+    for (const auto& text : texts) renderer->AddViewProp(text);
+    for (Layer* layer : layers()) renderer->AddViewProp(layer->actor);
+  }
+  void remove() {
+    for (Layer* layer : layers()) renderer->RemoveViewProp(layer->actor);
+    for (const auto& text : texts) renderer->RemoveViewProp(text);
   }
 };
 
@@ -91,14 +94,12 @@ LandmarkMarks::~LandmarkMarks() {
 void LandmarkMarks::attach(vtkRenderer* renderer) {
   detach();
   impl_->renderer = renderer;
-  for (Layer* layer : impl_->layers()) renderer->AddViewProp(layer->actor);
-  for (const auto& text : impl_->texts) renderer->AddViewProp(text);
+  impl_->add();
 }
 
 void LandmarkMarks::detach() {
   if (impl_->renderer == nullptr) return;
-  for (Layer* layer : impl_->layers()) impl_->renderer->RemoveViewProp(layer->actor);
-  for (const auto& text : impl_->texts) impl_->renderer->RemoveViewProp(text);
+  impl_->remove();
   impl_->renderer = nullptr;
 }
 
@@ -106,15 +107,14 @@ void LandmarkMarks::show(const std::vector<LandmarkMark>& marks,
                          const std::vector<std::pair<int, int>>& lines) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> all, chosen, photograph, ct, segments;
-  impl_->drop_texts();
+  if (impl_->renderer != nullptr) impl_->remove();
+  impl_->texts.clear();
   for (const LandmarkMark& mark : marks) {
     const vtkIdType id = points->InsertNextPoint(mark.at.data());
     all->InsertNextCell(1, &id);
     (mark.kind == LandmarkMark::Kind::photograph ? photograph : ct)->InsertNextCell(1, &id);
     if (mark.chosen) chosen->InsertNextCell(1, &id);
-    if (mark.words.empty()) continue;
-    impl_->texts.push_back(text_of(mark));
-    if (impl_->renderer != nullptr) impl_->renderer->AddViewProp(impl_->texts.back());
+    if (!mark.words.empty()) impl_->texts.push_back(text_of(mark));
   }
   for (const auto& [a, b] : lines) {
     const std::array<vtkIdType, 2> ends{a, b};
@@ -126,6 +126,7 @@ void LandmarkMarks::show(const std::vector<LandmarkMark>& marks,
   impl_->edges.data->SetVerts(all);
   impl_->photograph.data->SetVerts(photograph);
   impl_->ct.data->SetVerts(ct);
+  if (impl_->renderer != nullptr) impl_->add();
 }
 
 }  // namespace gnathion

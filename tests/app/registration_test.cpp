@@ -363,6 +363,7 @@ void RegistrationTest::shapeThatIsNoFaceIsRefused() {
   QVERIFY(refused || doubted);
   QVERIFY(planned() == Similarity{});
   user().shoot("registration_plate");
+  user().find<QWidget>("message_bar")->hide();
   user().action("undo_action")->trigger();
   rest();
   QVERIFY(planned() == disturbed(true_));

@@ -15,14 +15,15 @@
 
 #include "app/answer_words.h"
 #include "app/bone_panel.h"
+#include "app/camera_mouse.h"
 #include "app/compare_panel.h"
 #include "app/exports.h"
-#include "app/camera_mouse.h"
 #include "app/face_view.h"
 #include "app/motion_panel.h"
 #include "app/region_panel.h"
 #include "app/registration_panel.h"
 #include "app/theme.h"
+#include "app/tissue_dialog.h"
 #include "app/view_grid.h"
 #include "base/error.h"
 #include "render/picture.h"
@@ -105,8 +106,8 @@ void MainWindow::add_steps() {
 void MainWindow::show_step() {
   const QWidget* step = controller_.has_case() ? ui_->steps->currentWidget() : nullptr;
   // First the one that leaves: the view has one tool at a time.
-  if (step != registration_panel_) registration_panel_->set_active(false);
   panel_->set_active(step == ui_->motion_page);
+  if (step != registration_panel_) registration_panel_->set_active(false);
   if (step != bone_panel_) bone_panel_->set_active(false);
   if (step != region_panel_) region_panel_->set_active(false);
   if (step != compare_panel_) compare_panel_->set_active(false);
@@ -187,9 +188,8 @@ void MainWindow::connect_file_actions() {
   connect(ui_->bones_action, &QAction::triggered, exports_.get(), &Exports::ask_bones);
   connect(ui_->turntable_action, &QAction::triggered, exports_.get(), &Exports::ask_turntable);
   connect(exports_.get(), &Exports::failed, ui_->message_bar, &MessageBar::show_failure);
-  connect(exports_.get(), &Exports::exported, this, [this](const QString& words) {
-    ui_->message_bar->show_notice(tr("Exported"), words);
-  });
+  connect(exports_.get(), &Exports::exported, this,
+          [this](const QString& words) { ui_->message_bar->show_notice(tr("Exported"), words); });
   connect(ui_->quit_action, &QAction::triggered, this, &QWidget::close);
   connect(ui_->about_action, &QAction::triggered, this, &MainWindow::show_about);
 }
@@ -232,6 +232,7 @@ void MainWindow::show_recent() {
 void MainWindow::connect_edit_actions() {
   connect(ui_->save_action, &QAction::triggered, &saver_, &CaseSaver::save);
   connect(ui_->save_as_action, &QAction::triggered, &saver_, &CaseSaver::save_as);
+  connect(ui_->tissue_action, &QAction::triggered, this, &MainWindow::ask_tissue);
   connect(ui_->undo_action, &QAction::triggered, &controller_, &CaseController::undo);
   connect(ui_->redo_action, &QAction::triggered, &controller_, &CaseController::redo);
   connect(&controller_, &CaseController::history_changed, this, &MainWindow::show_history);
@@ -380,20 +381,38 @@ void MainWindow::connect_work() {
 void MainWindow::update_enabled() {
   const bool any = controller_.has_case();
   const bool working = controller_.is_working();
-  for (QAction* action :
-       {ui_->export_action, ui_->picture_action, ui_->bones_action, ui_->turntable_action,
-        ui_->front_action, ui_->left_action,
-        ui_->right_action, ui_->three_quarter_action, ui_->top_action, ui_->reset_view_action,
-        ui_->textured_action, ui_->bone_action, ui_->colour_map_action, ui_->before_action,
-        ui_->turn_left_action, ui_->turn_right_action, ui_->turn_up_action, ui_->turn_down_action,
-        ui_->zoom_in_action, ui_->zoom_out_action, ui_->maximise_action, ui_->slices_action,
-        ui_->outlines_action, ui_->bone_window_action, ui_->soft_tissue_window_action,
-        ui_->skin_window_action}) {
+  for (QAction* action : {ui_->export_action,
+                          ui_->picture_action,
+                          ui_->bones_action,
+                          ui_->turntable_action,
+                          ui_->front_action,
+                          ui_->left_action,
+                          ui_->right_action,
+                          ui_->three_quarter_action,
+                          ui_->top_action,
+                          ui_->reset_view_action,
+                          ui_->textured_action,
+                          ui_->bone_action,
+                          ui_->colour_map_action,
+                          ui_->before_action,
+                          ui_->turn_left_action,
+                          ui_->turn_right_action,
+                          ui_->turn_up_action,
+                          ui_->turn_down_action,
+                          ui_->zoom_in_action,
+                          ui_->zoom_out_action,
+                          ui_->maximise_action,
+                          ui_->slices_action,
+                          ui_->outlines_action,
+                          ui_->bone_window_action,
+                          ui_->soft_tissue_window_action,
+                          ui_->skin_window_action}) {
     action->setEnabled(any);
   }
   ui_->export_action->setEnabled(controller_.has_model() && !controller_.is_exporting());
   ui_->save_action->setEnabled(any);
   ui_->save_as_action->setEnabled(any);
+  ui_->tissue_action->setEnabled(any);
   ui_->undo_action->setEnabled(any && controller_.history().can_undo());
   ui_->redo_action->setEnabled(any && controller_.history().can_redo());
   ui_->textured_action->setEnabled(any && has_texture(controller_.loaded()));
@@ -476,6 +495,17 @@ void MainWindow::save_picture(const QString& file, int scale) {
   } catch (const Error& error) {
     ui_->message_bar->show_failure(failure_of(error));
   }
+}
+
+void MainWindow::ask_tissue() {
+  auto* dialog = new TissueDialog(controller_.plan().tissue, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog] {
+    SurgicalCase plan = controller_.plan();
+    plan.tissue = dialog->model();
+    controller_.edit(tr("Change the tissue model"), std::move(plan));
+  });
+  dialog->open();
 }
 
 void MainWindow::show_about() {

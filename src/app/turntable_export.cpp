@@ -106,8 +106,9 @@ TurntableExport::TurntableExport(QObject* parent) : QObject(parent) {
 
 TurntableExport::~TurntableExport() = default;
 
-void TurntableExport::start(std::shared_ptr<const LoadedCase> loaded, const Response& response,
-                            const QString& caption, const TurntableWish& wish) {
+void TurntableExport::start(const std::shared_ptr<const LoadedCase>& loaded,
+                            const Response& response, const QString& caption,
+                            const TurntableWish& wish) {
   if (is_running()) return;
   auto work = std::make_unique<Work>(wish);
   const auto scene = [loaded, wish](const Points& face, const std::vector<RigidMotion>& poses,

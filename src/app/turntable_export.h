@@ -34,7 +34,7 @@ class TurntableExport : public QObject {
   /// caption, before_caption: in the pictures. Nothing while another is drawn. What it shows is
   /// copied: the window may go on with another motion. Ends with finished(), cancelled() or
   /// failed().
-  void start(std::shared_ptr<const LoadedCase> loaded, const Response& response,
+  void start(const std::shared_ptr<const LoadedCase>& loaded, const Response& response,
              const QString& caption, const TurntableWish& wish);
   void cancel();
   bool is_running() const { return work_ != nullptr; }

@@ -89,7 +89,7 @@ Condyles find_condyles(const TriangleMesh& bone, const Eigen::Vector3d& on_mandi
     refuse("the CT ends below the condyles");
   }
   const double middle = box.center().x();
-  const Condyles condyles{head_centre(jaw, middle, -1), head_centre(jaw, middle, 1)};
+  Condyles condyles{head_centre(jaw, middle, -1), head_centre(jaw, middle, 1)};
   check(condyles, box);
   return condyles;
 }

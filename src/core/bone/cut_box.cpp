@@ -35,7 +35,7 @@ BoxCut as_box(const PlateCut& cut) {
 }  // namespace
 
 BoxCut box_of(const BoundedCut& cut) {
-  const BoxCut box = std::visit([](const auto& c) { return as_box(c); }, cut);
+  BoxCut box = std::visit([](const auto& c) { return as_box(c); }, cut);
   const bool orthonormal =
       (box.axes.transpose() * box.axes - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-6;
   if (!box.centre.allFinite() || !box.axes.allFinite() || !orthonormal) {

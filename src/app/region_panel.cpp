@@ -93,7 +93,8 @@ RegionPanel::RegionPanel(CaseController& controller, FaceView& view, QWidget* pa
       controller_(controller),
       view_(view),
       editor_(controller),
-      tool_(view, editor_, overlay_) {
+      tool_(view, editor_, overlay_),
+      lips_(controller, view, editor_) {
   ui_->setupUi(this);
   ui_->attached_swatch->setStyleSheet(swatch(SupportMark::attached));
   ui_->sliding_swatch->setStyleSheet(swatch(SupportMark::sliding));
@@ -101,6 +102,7 @@ RegionPanel::RegionPanel(CaseController& controller, FaceView& view, QWidget* pa
   ui_->free_swatch->setStyleSheet(swatch(SupportMark::free));
   connect_brush();
   connect_changes();
+  connect_lips();
   connect_model();
 }
 
@@ -172,6 +174,45 @@ void RegionPanel::connect_changes() {
   });
 }
 
+void RegionPanel::connect_lips() {
+  connect(ui_->trace_lips_button, &QAbstractButton::clicked, this, [this](bool traces) {
+    if (!traces) {
+      lips_.finish();
+      return;
+    }
+    lips_.begin();
+    show_lips();
+    if (!lips_.is_tracing()) return;
+    view_.set_tool(&lips_);
+    view_.canvas()->setFocus();
+  });
+  connect(ui_->propose_lips_button, &QAbstractButton::clicked, &lips_, &LipLineTool::propose);
+  connect(ui_->remove_lips_button, &QAbstractButton::clicked, &lips_, &LipLineTool::remove);
+  connect(&lips_, &LipLineTool::tracing_changed, this, [this] {
+    // The brush was put aside for the line.
+    if (!lips_.is_tracing() && active_) set_mode(mode_);
+    show_lips();
+  });
+}
+
+void RegionPanel::show_lips() {
+  const bool tracing = lips_.is_tracing();
+  const bool any = controller_.has_case() && !controller_.plan().region.lip_line.empty();
+  ui_->trace_lips_button->setChecked(tracing);
+  ui_->remove_lips_button->setEnabled(any);
+  if (tracing) {
+    ui_->lips_label->setText(
+        tr("Click along the line between the lips, from one corner of the mouth to the other; "
+           "then press Enter. %n point(s) so far.",
+           nullptr, lips_.traced_count()));
+  } else {
+    ui_->lips_label->setText(any ? tr("The tissue is cut open along the line: the lips move apart. "
+                                      "They may overlap or gape; contact is not computed.")
+                                 : tr("One sheet: where closed lips are one surface in the scan, "
+                                      "the lower lip takes the upper one along."));
+  }
+}
+
 void RegionPanel::connect_model() {
   connect(&editor_, &RegionEditor::changed, this, &RegionPanel::show_outline);
   connect(&editor_, &RegionEditor::faults_changed, this, &RegionPanel::show_state);
@@ -190,12 +231,14 @@ void RegionPanel::set_active(bool active) {
   for (QShortcut* shortcut : shortcuts_) shortcut->setEnabled(active);
   if (active) {
     if (begins) overlay_.attach(view_.renderer());
+    lips_.set_active(true);
     take_plan();
     show_points();
     set_mode(mode_);
   } else {
     editor_.end_stroke();
-    if (view_.tool() == &tool_) view_.set_tool(nullptr);
+    lips_.set_active(false);
+    if (view_.tool() == &tool_ || view_.tool() == &lips_) view_.set_tool(nullptr);
     overlay_.detach();
   }
   view_.render_soon();
@@ -207,12 +250,15 @@ void RegionPanel::set_mode(BrushMode mode) {
   ui_->paint_button->setChecked(mode == BrushMode::paint);
   ui_->erase_button->setChecked(mode == BrushMode::erase);
   ui_->turn_button->setChecked(mode == BrushMode::off);
+  lips_.drop();
   if (active_) view_.set_tool(mode == BrushMode::off ? nullptr : &tool_);
 }
 
 void RegionPanel::take_plan() {
   if (!active_ || !controller_.has_case()) return;
   editor_.take_plan();
+  lips_.take_plan();
+  show_lips();
   const QSignalBlocker silent(ui_->reach_box);
   if (!ui_->reach_box->hasFocus()) ui_->reach_box->setValue(controller_.plan().region.reach_mm);
 }
@@ -239,6 +285,7 @@ void RegionPanel::show_points() {
   const Points& points = view_.face_points();
   if (points.rows() != editor_.brush().face().vertices.rows()) return;
   tool_.set_points(points);
+  lips_.set_points(points);
   overlay_.set_points(points);
 }
 

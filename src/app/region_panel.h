@@ -3,6 +3,7 @@
 #include <QWidget>
 #include <memory>
 
+#include "app/lip_line_tool.h"
 #include "app/region_brush_tool.h"
 #include "app/region_editor.h"
 #include "render/region_overlay.h"
@@ -31,16 +32,19 @@ class RegionPanel : public QWidget {
   void set_active(bool active);
 
   const RegionEditor& editor() const { return editor_; }
+  const LipLineTool& lips() const { return lips_; }
 
  private:
   void connect_brush();
   void connect_changes();
+  void connect_lips();
   void connect_model();
   void set_mode(BrushMode mode);
   void take_plan();
   void show_outline();
   QString state_words(bool& is_wrong) const;
   void show_state();
+  void show_lips();
   void show_supports();
   void show_points();
   void update_enabled();
@@ -52,6 +56,7 @@ class RegionPanel : public QWidget {
   RegionEditor editor_;
   RegionOverlay overlay_;
   RegionBrushTool tool_;
+  LipLineTool lips_;
   const SurfaceBrush* shown_face_ = nullptr;  ///< whose face the overlay has
   bool active_ = false;
   BrushMode mode_ = BrushMode::off;

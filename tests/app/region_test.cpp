@@ -57,6 +57,9 @@ class RegionTest : public QObject {
   void twoPiecesKeepTheCaseAndSayWhy();
   void slidingTissueIsPainted();
   void readoutsAreTheModels();
+  void lipLineIsTracedWithClicksAsOneStep();
+  void lipLineIsProposedAndRemoved();
+  void leavingTheStepDropsTheLipLine();
   void leavingTheStepTakesTheBrushAway();
   void strokeStaysWithinAFrame();
 
@@ -408,6 +411,74 @@ void RegionTest::readoutsAreTheModels() {
            QString("%1 cm², %2 triangles")
                .arg(QLocale().toString(area / 100, 'f', 1),
                     QLocale().toString(static_cast<int>(editor().outline().triangles.rows()))));
+}
+
+void RegionTest::lipLineIsTracedWithClicksAsOneStep() {
+  QVERIFY(model().loaded().model->problem().slit.empty());
+  QVERIFY(!find<QPushButton>("remove_lips_button")->isEnabled());
+  click("trace_lips_button");
+  QVERIFY(region_panel()->lips().is_tracing());
+  const auto& places = model().plan().landmarks;
+  const Eigen::Vector3d right = places.at("mouth_corner_right"), stomion = places.at("stomion"),
+                        left = places.at("mouth_corner_left");
+  for (const Eigen::Vector3d& place :
+       {right, Eigen::Vector3d((right + stomion) / 2 + Eigen::Vector3d(0, -4, 0)), stomion,
+        Eigen::Vector3d((left + stomion) / 2 + Eigen::Vector3d(0, -4, 0)), left}) {
+    QTest::mouseClick(canvas(), Qt::LeftButton, {}, pixel_of(place));
+  }
+  QCOMPARE(region_panel()->lips().traced_count(), 5);
+  QTest::mouseClick(canvas(), Qt::LeftButton, {}, pixel_of(places.at("nose_tip")));
+  QTest::keyClick(canvas(), Qt::Key_Backspace);
+  QCOMPARE(region_panel()->lips().traced_count(), 5);
+  QVERIFY(model().plan().region.lip_line.empty());
+  shoot("lips-traced");
+  QTest::keyClick(canvas(), Qt::Key_Return);
+  QVERIFY(!region_panel()->lips().is_tracing());
+  QVERIFY(!find<QPushButton>("trace_lips_button")->isChecked());
+  const auto line = model().plan().region.lip_line;
+  QCOMPARE(int(line.size()), 5);
+  QVERIFY((line[0] - right).norm() < 2);
+  QVERIFY((line[2] - stomion).norm() < 2);
+  QVERIFY((line[4] - left).norm() < 2);
+  QCOMPARE(QString::fromStdString(model().history().undo_name()), QString("Trace the lip line"));
+  settle();
+  QVERIFY(model().has_model());
+  QVERIFY(model().loaded().model->problem().slit.size() > 8);
+  shoot("lips-cut");
+  find<QAction>("undo_action")->trigger();
+  settle();
+  QVERIFY(model().plan().region.lip_line.empty());
+  QVERIFY(model().loaded().model->problem().slit.empty());
+}
+
+void RegionTest::lipLineIsProposedAndRemoved() {
+  QElapsedTimer clock;
+  clock.start();
+  click("propose_lips_button");
+  QVERIFY(clock.elapsed() < 500);
+  const auto line = model().plan().region.lip_line;
+  QVERIFY(line.size() > 8);
+  QVERIFY((line.front() - model().plan().landmarks.at("mouth_corner_right")).norm() < 2);
+  settle();
+  QVERIFY(model().loaded().model->problem().slit.size() > 8);
+  QVERIFY(find<QLabel>("lips_label")->text().contains("cut open"));
+  shoot("lips-proposed");
+  QVERIFY(find<QPushButton>("remove_lips_button")->isEnabled());
+  click("remove_lips_button");
+  QCOMPARE(QString::fromStdString(model().history().undo_name()), QString("Remove the lip line"));
+  settle();
+  QVERIFY(model().plan().region.lip_line.empty());
+  QVERIFY(model().loaded().model->problem().slit.empty());
+}
+
+void RegionTest::leavingTheStepDropsTheLipLine() {
+  click("trace_lips_button");
+  QTest::mouseClick(canvas(), Qt::LeftButton, {}, landmark("stomion"));
+  QTest::mouseClick(canvas(), Qt::LeftButton, {}, landmark("mouth_corner_left"));
+  QCOMPARE(region_panel()->lips().traced_count(), 2);
+  choose_step("motion_page");
+  QVERIFY(!region_panel()->lips().is_tracing());
+  QVERIFY(model().plan().region.lip_line.empty());
 }
 
 void RegionTest::leavingTheStepTakesTheBrushAway() {

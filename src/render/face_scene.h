@@ -92,9 +92,9 @@ class FaceScene {
   /// true: bones that have coarse triangles, and a face of many, are drawn with fewer. Switch it on
   /// while a segment is dragged or the camera turns, off at rest.
   void set_coarse(bool coarse);
-  bool is_coarse() const;
   /// The bones alone: for a stroke on the face, which lies on its own triangles.
   void set_coarse_bones(bool coarse);
+  bool is_coarse() const;
   void remove_bone(const std::string& name);
   void remove_bones();
   std::vector<std::string> bone_names() const;

@@ -14,17 +14,16 @@ namespace {
 
 constexpr double kStep = 1;    // mm: the line is drawn along the skin between its points
 constexpr double kReach = 10;  // mm: farther from the skin the line is not drawn
-constexpr double kLift = 0.7;  // mm off the skin, so that it stays in sight
 
-/// Where points of the face are, a little off it.
-Points places_of(const std::vector<SurfacePoint>& on, const Triangles& triangles,
-                 const Points& points) {
-  Points places(on.size(), 3);
+/// Where points of the face are, in its present shape.
+SkinLine::Places places_of(const std::vector<SurfacePoint>& on, const Triangles& triangles,
+                           const Points& points) {
+  SkinLine::Places places{Points(on.size(), 3), Points(on.size(), 3)};
   for (std::size_t i = 0; i < on.size(); ++i) {
     const auto f = triangles.row(on[i].triangle);
     const Eigen::Vector3d a = points.row(f[0]), b = points.row(f[1]), c = points.row(f[2]);
-    const Eigen::Vector3d outward = (b - a).cross(c - a).stableNormalized();
-    places.row(static_cast<Eigen::Index>(i)) = on[i].position(triangles, points) + kLift * outward;
+    places.on.row(static_cast<Eigen::Index>(i)) = on[i].position(triangles, points);
+    places.outward.row(static_cast<Eigen::Index>(i)) = (b - a).cross(c - a).stableNormalized();
   }
   return places;
 }
@@ -89,6 +88,8 @@ void LipLineTool::tie_line() {
     const int steps = std::max(1, static_cast<int>(std::ceil(along.norm() / kStep)));
     for (int i = 1; i <= steps; ++i) tie(corners[k - 1] + along * i / steps, line_);
   }
+  // Of a line that is done only the ends: a proposal has a point every few millimetres.
+  if (!tracing_) corners = {corners.front(), corners.back()};
   for (const Eigen::Vector3d& corner : corners) tie(corner, knobs_);
 }
 
@@ -96,7 +97,7 @@ void LipLineTool::draw() {
   if (!active_ || !editor_.has_face()) return;
   const Triangles& triangles = editor_.brush().face().triangles;
   if (rest_face_ != &editor_.brush() || points_.rows() != rest_face_->face().vertices.rows()) {
-    mark_.set_line(Points(0, 3), Points(0, 3));
+    mark_.set_line({}, {});
     return;
   }
   mark_.set_line(places_of(line_, triangles, points_), places_of(knobs_, triangles, points_));

@@ -200,16 +200,22 @@ void RegionPanel::show_lips() {
   const bool any = controller_.has_case() && !controller_.plan().region.lip_line.empty();
   ui_->trace_lips_button->setChecked(tracing);
   ui_->remove_lips_button->setEnabled(any);
+  // An exclusive button cannot be let go by itself; while a line is traced none is in the hand.
+  const std::pair<QAbstractButton*, BrushMode> brushes[] = {{ui_->paint_button, BrushMode::paint},
+                                                            {ui_->erase_button, BrushMode::erase},
+                                                            {ui_->turn_button, BrushMode::off}};
+  for (const auto& [button, mode] : brushes) {
+    button->setAutoExclusive(false);
+    button->setChecked(!tracing && mode == mode_);
+    button->setAutoExclusive(true);
+  }
   if (tracing) {
     ui_->lips_label->setText(
-        tr("Click along the line between the lips, from one corner of the mouth to the other; "
-           "then press Enter. %n point(s) so far.",
-           nullptr, lips_.traced_count()));
+        tr("Click from corner to corner, then press Enter. %n point(s) so far.", nullptr,
+           lips_.traced_count()));
   } else {
-    ui_->lips_label->setText(any ? tr("The tissue is cut open along the line: the lips move apart. "
-                                      "They may overlap or gape; contact is not computed.")
-                                 : tr("One sheet: where closed lips are one surface in the scan, "
-                                      "the lower lip takes the upper one along."));
+    ui_->lips_label->setText(any ? tr("Cut open along the line; contact is not computed.")
+                                 : tr("Not cut: closed lips hang together."));
   }
 }
 

@@ -32,26 +32,26 @@ struct Stroke {
   vtkNew<vtkPolyDataMapper> mapper;
   vtkNew<vtkActor> actor;
 
-  Stroke(const std::array<double, 3>& colour, float width, float dot, double nearer) {
+  double lift;  // mm off the skin
+
+  Stroke(const std::array<double, 3>& colour, float width, float dot, double lift_mm)
+      : lift(lift_mm) {
     mapper->SetInputData(data);
-    // The light stroke lies on the dark one: it is drawn as if it were a little nearer.
-    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, nearer);
-    mapper->SetRelativeCoincidentTopologyPointOffsetParameter(nearer);
     actor->SetMapper(mapper);
     actor->PickableOff();
+    actor->VisibilityOff();
     vtkProperty* property = actor->GetProperty();
     property->LightingOff();
     property->SetColor(colour[0], colour[1], colour[2]);
     property->SetLineWidth(width);
     property->SetPointSize(dot);
-    property->RenderPointsAsSpheresOn();
   }
 };
 
 }  // namespace
 
 struct SkinLine::Impl {
-  Stroke dark{kDark, 5, 11, -4}, light{kLight, 2.5F, 7, -8};
+  Stroke dark{kDark, 5, 9, 0.7}, light{kLight, 2.5F, 5, 1.0};  // the light one over the dark one
   vtkRenderer* renderer = nullptr;
 };
 
@@ -73,26 +73,26 @@ void SkinLine::detach() {
   impl_->renderer = nullptr;
 }
 
-void SkinLine::set_line(const Points& line, const Points& knobs) {
-  Points all(line.rows() + knobs.rows(), 3);
-  all.topRows(line.rows()) = line;
-  all.bottomRows(knobs.rows()) = knobs;
-  const auto points = vtk_points(all);
+void SkinLine::set_line(const Places& line, const Places& knobs) {
+  const Eigen::Index count = line.on.rows() + knobs.on.rows();
   vtkNew<vtkCellArray> lines, dots;
-  if (line.rows() > 1) {
-    lines->InsertNextCell(static_cast<int>(line.rows()));
-    for (Eigen::Index i = 0; i < line.rows(); ++i) lines->InsertCellPoint(i);
+  if (line.on.rows() > 1) {
+    lines->InsertNextCell(static_cast<int>(line.on.rows()));
+    for (Eigen::Index i = 0; i < line.on.rows(); ++i) lines->InsertCellPoint(i);
   }
-  for (Eigen::Index i = line.rows(); i < all.rows(); ++i) {
+  for (Eigen::Index i = line.on.rows(); i < count; ++i) {
     dots->InsertNextCell(1);
     dots->InsertCellPoint(i);
   }
   for (Stroke* stroke : {&impl_->dark, &impl_->light}) {
-    stroke->data->SetPoints(points);
+    Points all(count, 3);
+    all.topRows(line.on.rows()) = line.on + stroke->lift * line.outward;
+    all.bottomRows(knobs.on.rows()) = knobs.on + stroke->lift * knobs.outward;
+    stroke->data->SetPoints(vtk_points(all));
     stroke->data->SetLines(lines);
     stroke->data->SetVerts(dots);
     stroke->data->Modified();
-    stroke->actor->SetVisibility(all.rows() > 0);
+    stroke->actor->SetVisibility(count > 0);
   }
 }
 

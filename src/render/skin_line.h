@@ -21,8 +21,12 @@ class SkinLine {
   void attach(vtkRenderer* renderer);
   void detach();
 
-  /// line: its places in order, n×3; knobs: k×3; mm, LPS, just off the skin. Empty: not drawn.
-  void set_line(const Points& line, const Points& knobs);
+  /// Places on the skin, n×3, mm, LPS, and the skin's outward normals there, unit.
+  struct Places {
+    Points on{0, 3}, outward{0, 3};
+  };
+  /// line: its places in order; knobs: any. Empty: not drawn.
+  void set_line(const Places& line, const Places& knobs);
 
  private:
   struct Impl;

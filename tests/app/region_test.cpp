@@ -427,6 +427,7 @@ void RegionTest::lipLineIsTracedWithClicksAsOneStep() {
     QTest::mouseClick(canvas(), Qt::LeftButton, {}, pixel_of(place));
   }
   QCOMPARE(region_panel()->lips().traced_count(), 5);
+  QVERIFY(!find<QPushButton>("paint_button")->isChecked());
   QTest::mouseClick(canvas(), Qt::LeftButton, {}, pixel_of(places.at("nose_tip")));
   QTest::keyClick(canvas(), Qt::Key_Backspace);
   QCOMPARE(region_panel()->lips().traced_count(), 5);
@@ -435,6 +436,7 @@ void RegionTest::lipLineIsTracedWithClicksAsOneStep() {
   QTest::keyClick(canvas(), Qt::Key_Return);
   QVERIFY(!region_panel()->lips().is_tracing());
   QVERIFY(!find<QPushButton>("trace_lips_button")->isChecked());
+  QVERIFY(find<QPushButton>("paint_button")->isChecked());
   const auto line = model().plan().region.lip_line;
   QCOMPARE(int(line.size()), 5);
   QVERIFY((line[0] - right).norm() < 2);
@@ -461,7 +463,7 @@ void RegionTest::lipLineIsProposedAndRemoved() {
   QVERIFY((line.front() - model().plan().landmarks.at("mouth_corner_right")).norm() < 2);
   settle();
   QVERIFY(model().loaded().model->problem().slit.size() > 8);
-  QVERIFY(find<QLabel>("lips_label")->text().contains("cut open"));
+  QVERIFY(find<QLabel>("lips_label")->text().contains("Cut open"));
   shoot("lips-proposed");
   QVERIFY(find<QPushButton>("remove_lips_button")->isEnabled());
   click("remove_lips_button");

@@ -15,6 +15,7 @@
 #include "app/user.h"
 #include "geometry/triangle_mesh.h"
 #include "io/case_file.h"
+#include "io/files.h"
 #include "io/obj_document.h"
 
 namespace gnathion::test {
@@ -193,11 +194,17 @@ void HourTest::exportTheFace() {
   const Face& original = user.model().loaded().anatomy->face;
   const Points expected = original.file_vertices(user.model().refined()->face_points);
   QVERIFY((face.mesh().surface.vertices - expected).cwiseAbs().maxCoeff() < 1e-5);
-  const Triangles &before = original.document.mesh().surface.triangles,
-                  &after = face.mesh().surface.triangles;
-  QCOMPARE(after.rows(), before.rows());
-  QCOMPARE((after - before).cwiseAbs().count(), Eigen::Index{0});
-  QVERIFY(face.mesh().texture_coordinates == original.document.mesh().texture_coordinates);
+  // All that is not a vertex stays to the letter. (Not the triangles: quads are cut along their
+  // shorter diagonal, which a motion may change.)
+  const auto lines = [](const std::filesystem::path& file) {
+    return QString::fromStdString(read_text_file(file)).split('\n');
+  };
+  const QStringList before = lines(original.document.path()),
+                    after = lines(folder.toStdString() + "/predicted.obj");
+  QCOMPARE(after.size(), before.size());
+  for (int i = 0; i < before.size(); ++i) {
+    if (!before[i].startsWith("v ")) QCOMPARE(after[i], before[i]);
+  }
 }
 
 }  // namespace gnathion::test

@@ -62,7 +62,7 @@ void check_not_on_a_line(const Points& points, const std::string& where) {
 Similarity best_transform(const Centred& from, const Centred& to, std::optional<double> scale) {
   const Matrix3d covariance = to.points.transpose() * from.points;
   const Eigen::JacobiSVD<Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Vector3d d = svd.singularValues();
+  const Vector3d& d = svd.singularValues();
   Vector3d sign = Vector3d::Ones();
   if (svd.matrixU().determinant() * svd.matrixV().determinant() < 0) {
     // Three points lie in a plane, and then either sign fits as well.

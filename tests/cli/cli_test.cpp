@@ -605,8 +605,13 @@ TEST_F(Cli, RegisterFindsThePhotographsPlace) {
   EXPECT_TRUE(report["doubts"].empty());
   EXPECT_LT(report["distance_mm"]["p95"], 0.6);
 
-  expect_failure(6, {"registration", "doubtful", "--accept-doubts"},
-                 {"register", "demo/lost.json", "not-found", "--mm-per-unit", "1.4"});
+  // What was measured is told also where it is refused: it says what to mend.
+  const CliRun poor =
+      run_cli(folder(), {"-q", "register", "demo/lost.json", "not-found", "--mm-per-unit", "1.4"});
+  EXPECT_EQ(poor.code, 6);
+  EXPECT_NE(poor.err.find("registration: is doubtful"), std::string::npos) << poor.err;
+  EXPECT_NE(poor.err.find("--accept-doubts"), std::string::npos) << poor.err;
+  EXPECT_NE(poor.out.find("doubt: "), std::string::npos) << poor.out;
   EXPECT_FALSE(fs::exists(folder() / "not-found"));
   EXPECT_EQ(run_cli(folder(), {"register", "demo/lost.json", "poor", "--mm-per-unit", "1.4",
                                "--accept-doubts"})

@@ -217,6 +217,7 @@ int main(int argc, char** argv) {
   }
   gnathion::prepare_graphics();
   QApplication app(argc, argv);
+  Q_INIT_RESOURCE(gnathion);
   gnathion::use_c_numbers();
   gnathion::test::HourTest test;
   return QTest::qExec(&test, argc, argv);

@@ -132,10 +132,11 @@ struct User {
     if (folder.isEmpty()) return;
     QTest::qWait(400);
     QPixmap picture = window.grab();
-    QPainter painter(&picture);
-    painter.drawImage(QRect(canvas()->mapTo(&window, QPoint()), canvas()->size()),
-                      canvas()->grabFramebuffer());
-    painter.end();
+    if (canvas()->isVisible()) {
+      QPainter painter(&picture);
+      painter.drawImage(QRect(canvas()->mapTo(&window, QPoint()), canvas()->size()),
+                        canvas()->grabFramebuffer());
+    }
     picture.save(folder + "/" + name + ".png");
   }
 };

@@ -426,9 +426,9 @@ void RegistrationPanel::end_scene() {
 }
 
 QString RegistrationPanel::caption() const {
-  const QString place = editor_.proposal() != nullptr
-                            ? tr("Photograph where it is proposed, not accepted yet")
-                            : tr("Photograph where the plan has it");
+  QString place = editor_.proposal() != nullptr
+                      ? tr("Photograph where it is proposed, not accepted yet")
+                      : tr("Photograph where the plan has it");
   switch (show_) {
     case Show::photograph:
       return place;

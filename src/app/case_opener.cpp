@@ -136,8 +136,8 @@ void CaseOpener::ask_photograph(const fs::path& obj) {
     throw Error(ErrorKind::input, obj.string(), "is a photograph, and no case is open to add it to",
                 "open a case or import a CT first, then drop the photograph again");
   }
-  auto* dialog = new PhotographDialog(
-      obj, controller_.loaded().anatomy->face.mesh.surface.vertices, &window_);
+  auto* dialog =
+      new PhotographDialog(obj, controller_.loaded().anatomy->face.mesh.surface.vertices, &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &PhotographDialog::photograph_chosen, this,
           [this](const PhotographSource& photograph, bool to_be_fitted) {

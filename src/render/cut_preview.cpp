@@ -1,6 +1,7 @@
 #include "render/cut_preview.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <vtkActor.h>
 #include <vtkFloatArray.h>
@@ -122,7 +123,8 @@ void CutPreviewLayer::set_parts(const std::vector<std::uint8_t>& part, const Poi
   }
   unsigned char* out = impl_->colours->GetPointer(0);
   for (const std::uint8_t own : of_vertex) {
-    for (int k = 0; k < 3; ++k) *out++ = static_cast<unsigned char>(255 * colours(own, k) + 0.5);
+    for (int k = 0; k < 3; ++k)
+      *out++ = static_cast<unsigned char>(std::lround(255 * colours(own, k)));
   }
   impl_->colours->Modified();
   impl_->fine.data->Modified();

@@ -2,19 +2,19 @@
 //   gnathion-evidence [CASE.json …]    the cases, e.g. the embedded one and the real CT
 //   gnathion-evidence --lips CASE.json …    only what cutting the lips apart changes
 #include <algorithm>
-#include <cstdlib>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <string>
 #include <vector>
 
+#include "bench/calculix_run.h"
 #include "bench/chin_problem.h"
 #include "bench/ray_trees.h"
 #include "bench/timing.h"
 #include "fem/response_basis.h"
 #include "geometry/tet_quality.h"
-#include "io/calculix.h"
 #include "io/case_file.h"
 #include "prediction/report.h"
 #include "support/face_patch.h"
@@ -92,21 +92,6 @@ struct PatchTimes {
   double basis_error, ccx_error;
 };
 
-/// Runs ccx on the problem; negative seconds where it is not installed.
-double run_calculix(const bench::ChinProblem& p, const Points& prescribed, Points& u) {
-  const fs::path folder = fs::temp_directory_path() / "gnathion-evidence-ccx";
-  fs::create_directories(folder);
-  write_calculix_deck({p.tissue.mesh, {}, p.supports, prescribed}, folder / "patch.inp");
-  const std::string command =
-      "cd '" + folder.string() + "' && OMP_NUM_THREADS=1 ccx patch > ccx.log 2>&1";
-  int status = 0;
-  const double time = seconds([&] { status = std::system(command.c_str()); });
-  if (status != 0) return -1;
-  u = read_calculix_displacements(folder / "patch.dat", p.tissue.mesh.vertices.rows());
-  fs::remove_all(folder);
-  return time;
-}
-
 PatchTimes measure_patch(const TriangleMesh& mesh) {
   const bench::ChinProblem p = bench::chin_problem(mesh);
   const Points& x = p.tissue.mesh.vertices;
@@ -114,6 +99,7 @@ PatchTimes measure_patch(const TriangleMesh& mesh) {
   const RigidMotion motion = bench::chin_motion(p);
   const Points prescribed = moved(x, motion) - x;
   PatchTimes t{};
+  t.ccx = t.ccx_error = std::nan("");
   t.st = median_seconds(15, [&] { st_generator(p.region, p.directions, p.depth); });
   std::vector<double> assemble, factor, solve, total;
   StaticSolution direct;
@@ -141,10 +127,9 @@ PatchTimes measure_patch(const TriangleMesh& mesh) {
   t.frame = median_seconds(2001, [&] { surface.displacements({&motion, 1}, u); });
   basis.displacements({&motion, 1}, u);
   t.basis_error = (u - direct.displacements).norm() / direct.displacements.norm();
-  Points by_ccx;
-  t.ccx = run_calculix(p, prescribed, by_ccx);
-  if (t.ccx > 0) {
-    t.ccx_error = (by_ccx - direct.displacements).cwiseAbs().maxCoeff() /
+  if (const auto ccx = bench::run_calculix({p.tissue.mesh, {}, p.supports, prescribed})) {
+    t.ccx = ccx->cost.wall;
+    t.ccx_error = (ccx->displacements - direct.displacements).cwiseAbs().maxCoeff() /
                   direct.displacements.cwiseAbs().maxCoeff();
   }
   return t;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "bench/calculix_run.h"
 #include "bench/patch_scene.h"
 #include "bench/timing.h"
 #include "io/case_file.h"
@@ -326,12 +327,13 @@ std::vector<Sample> measured(const Report& report, const Scene& scene) {
   return std::move(trial.samples);
 }
 
+Scene p1_scene() {
+  return patch_scene("p1", testing::patch_p1(), {1, 0.5}, {1, 1});
+}
+
 std::vector<std::function<Scene()>> scenes_of(const std::vector<std::string>& cases) {
   std::vector<std::function<Scene()>> scenes{
-      [] {
-        return patch_scene("p1", testing::patch_p1(), {1, 0.5}, {1, 1});
-      },
-      [] {
+      p1_scene, [] {
         return patch_scene("p2", testing::patch_p2(), {2, 0}, {2, 2});
       }};
   for (const std::string& path : cases) scenes.emplace_back([path] { return case_scene(path); });
@@ -363,6 +365,33 @@ void add_reference(const Report& report, const Scene& scene, Table& sure) {
   const DistanceStatistics difference = distance_statistics(change.rowwise().norm());
   sure.add({scene.name, words(scene.fine), words(scene.other), difference.mean, difference.p95,
             difference.max, time});
+}
+
+/// The scene by CalculiX, NLGEOM on quadratic elements, and by ours on the same mesh. ccx's are
+/// integrated in full, ours have λ on the mean dilatation: they meet as the mesh gets finer.
+void add_by_calculix(const Scene& scene, const Fineness& mesh, const Reference& reference,
+                     Table& table) {
+  TissueModel tissue = scene.tissue;
+  tissue.edge_mm = mesh.edge;
+  tissue.layer_edges = mesh.layers;
+  tissue.elements = Elements::linear;
+  const FaceModel model = model_of(scene, tissue);
+  Progress progress;
+  const StaticSolver& solver = model.quadratic_solver(progress);
+  CalculixProblem problem{
+      solver.elements(), solver.materials(), solver.supports(),
+      bone_displacements(solver.elements().nodes, solver.supports(), scene.motions)};
+  problem.neo_hookean = true;
+  const std::optional<CalculixRun> run = run_calculix(problem);
+  if (!run) return;
+  const Points theirs =
+      model.face_with(run->displacements.topRows(model.problem().tissue.mesh.vertices.rows()));
+  const Points ours = large_strain_face(model, solver, scene.motions);
+  const DistanceStatistics apart = error_of(scene, on_region(scene, model, ours), theirs);
+  table.add({scene.name, words(mesh), static_cast<double>(solver.elements().elements.rows()),
+             error_of(scene, reference, theirs).mean, error_of(scene, reference, theirs).p95,
+             error_of(scene, reference, ours).mean, error_of(scene, reference, ours).p95,
+             apart.mean, apart.p95, run->cost.wall});
 }
 
 }  // namespace
@@ -406,6 +435,19 @@ void report_reference(const Report& report, const std::vector<std::string>& case
     }
   }
   report.table("reference-sure", sure);
+}
+
+void report_calculix_reference(const Report& report) {
+  report.heading("The reference of p1 by CalculiX");
+  const Scene scene = p1_scene();
+  const Reference reference = kept_reference(report, scene);
+  Table table({"scene", "mesh", "tets", "CalculiX to the reference: mean, mm", "95 %, mm",
+               "ours to the reference: mean, mm", "95 %, mm", "CalculiX to ours: mean, mm",
+               "95 %, mm", "CalculiX, s"});
+  for (const Fineness& mesh : {Fineness{4, 0}, Fineness{1, 0}, Fineness{1, 1}}) {
+    add_by_calculix(scene, mesh, reference, table);
+  }
+  report.table("reference-calculix", table);
 }
 
 }  // namespace gnathion::bench

@@ -13,4 +13,8 @@ void report_models(const Report& report, const std::vector<std::string>& cases);
 /// are.
 void report_reference(const Report& report, const std::vector<std::string>& cases);
 
+/// How far CalculiX, on meshes finer and finer, is from p1's reference; minutes. Nothing where ccx
+/// is not installed. Throws Error(input) where the reference is missing.
+void report_calculix_reference(const Report& report);
+
 }  // namespace gnathion::bench

@@ -1,14 +1,11 @@
 #include "bench/targets.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <functional>
+#include <optional>
 
+#include "bench/calculix_run.h"
 #include "bench/chin_problem.h"
 #include "bench/machine.h"
 #include "bench/patch_scene.h"
@@ -16,39 +13,16 @@
 #include "bench/timing.h"
 #include "fem/neo_hookean_solver.h"
 #include "fem/response_basis.h"
-#include "io/calculix.h"
 #include "prediction/face_model.h"
 
 namespace gnathion::bench {
 namespace {
 
-/// Wall clock and processor time, user and system, s.
-struct Cost {
-  double wall = std::nan(""), processor = std::nan("");
-};
-
-double processor_seconds(int who) {
-  rusage usage{};
-  getrusage(who, &usage);
-  const auto in_seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return in_seconds(usage.ru_utime) + in_seconds(usage.ru_stime);
-}
-
-Cost cost_of(int who, const std::function<void()>& work) {
-  const double before = processor_seconds(who);
-  Cost cost;
-  cost.wall = seconds(work);
-  cost.processor = processor_seconds(who) - before;
-  return cost;
-}
-
 /// The cheaper of several runs in each respect: other programs only add.
 Cost least_cost(int runs, const std::function<void()>& work) {
-  Cost least = cost_of(RUSAGE_SELF, work);
+  Cost least = cost_of(work);
   for (int run = 1; run < runs; ++run) {
-    const Cost next = cost_of(RUSAGE_SELF, work);
+    const Cost next = cost_of(work);
     least = {std::min(least.wall, next.wall), std::min(least.processor, next.processor)};
   }
   return least;
@@ -58,26 +32,6 @@ RigidMotion forward(double mm) {
   RigidMotion motion;
   motion.translation << 0, 0, mm;
   return motion;
-}
-
-/// The whole program on the same mesh and supports, one thread. NaN where it is not installed.
-Cost calculix_cost(const ChinProblem& p, const Points& prescribed, bool large, Points& u) {
-  const auto folder = std::filesystem::temp_directory_path() / "gnathion-bench-ccx";
-  std::filesystem::create_directories(folder);
-  CalculixProblem problem{p.tissue.mesh, {}, p.supports, prescribed};
-  problem.neo_hookean = large;
-  write_calculix_deck(problem, folder / "patch.inp");
-  const std::string command =
-      "cd '" + folder.string() + "' && OMP_NUM_THREADS=1 ccx patch > ccx.log 2>&1";
-  int status = 0;
-  Cost cost = cost_of(RUSAGE_CHILDREN, [&] { status = std::system(command.c_str()); });
-  if (status == 0) {
-    u = read_calculix_displacements(folder / "patch.dat", p.tissue.mesh.vertices.rows());
-  } else {
-    cost = {};
-  }
-  std::filesystem::remove_all(folder);
-  return cost;
 }
 
 /// Mesh to displacement, as CalculiX is asked: assembly, factor, solution.
@@ -105,16 +59,20 @@ void report_calculix(const Report& report) {
          {std::tuple{"linear, 5 mm", 5.0, false}, std::tuple{"NLGEOM, 5 mm", 5.0, true},
           std::tuple{"NLGEOM, 10 mm", 10.0, true}}) {
       const RigidMotion motion = forward(mm);
-      Points ours, theirs;
+      Points ours;
       const Cost we = our_cost(p, motion, large, ours);
-      const Cost they = calculix_cost(
-          p, bone_displacements(p.tissue.mesh.vertices, p.supports, {&motion, 1}), large, theirs);
+      CalculixProblem problem{p.tissue.mesh,
+                              {},
+                              p.supports,
+                              bone_displacements(p.tissue.mesh.vertices, p.supports, {&motion, 1})};
+      problem.neo_hookean = large;
+      const std::optional<CalculixRun> they = run_calculix(problem);
+      if (!they) continue;
       const double difference =
-          theirs.rows() == ours.rows()
-              ? (theirs - ours).cwiseAbs().maxCoeff() / ours.cwiseAbs().maxCoeff()
-              : std::nan("");
-      table.add({name, what, we.wall, we.processor, they.wall, they.processor, they.wall / we.wall,
-                 they.processor / we.processor, large ? 8.0 : 3.0, difference});
+          (they->displacements - ours).cwiseAbs().maxCoeff() / ours.cwiseAbs().maxCoeff();
+      table.add({name, what, we.wall, we.processor, they->cost.wall, they->cost.processor,
+                 they->cost.wall / we.wall, they->cost.processor / we.processor, large ? 8.0 : 3.0,
+                 difference});
     }
   }
   report.say(

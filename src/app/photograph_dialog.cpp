@@ -59,7 +59,7 @@ void PhotographDialog::read_scan_size() {
   reading_.start([this](Progress& progress) {
     const ObjDocument scan = read_scan(obj_, progress);
     const TriangleMesh& surface = scan.mesh().surface;
-    const ProposedUnit unit = scan_units(surface.vertices).front();
+    const ProposedUnit unit = proposed_units(surface.vertices).front();
     progress.check();
     Similarity upright;
     upright.rotation = scan_axes(surface).lps_from_scan;

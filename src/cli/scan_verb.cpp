@@ -39,7 +39,7 @@ void print_frame(const TriangleMesh& surface, std::ostream& out) {
   const Eigen::RowVector3d size =
       surface.vertices.colwise().maxCoeff() - surface.vertices.colwise().minCoeff();
   out << "size: " << size.x() << " x " << size.y() << " x " << size.z() << " units of the file\n";
-  for (const ProposedUnit& unit : scan_units(surface.vertices)) {
+  for (const ProposedUnit& unit : proposed_units(surface.vertices)) {
     out << "unit: " << in_a_word(unit.confidence) << ' '
         << (unit.name.empty() ? "none of the usual" : unit.name) << ", scale " << unit.mm_per_unit
         << ": " << unit.reason << '\n';

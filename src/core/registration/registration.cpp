@@ -383,8 +383,9 @@ Registration register_photograph(const TriangleMesh& photograph, const SkinTarge
   if (!options.stable.empty()) painted.emplace(photograph, options.stable);
   RegistrationOptions chosen = options;
   std::vector<double> scales;
-  for (const LengthUnit& unit : proposed_units(photograph.vertices))
-    scales.push_back(unit.mm_per_unit);
+  for (const ProposedUnit& unit : proposed_units(photograph.vertices)) {
+    if (unit.confidence > Confidence::low) scales.push_back(unit.mm_per_unit);
+  }
   if (options.mm_per_unit) scales = {*options.mm_per_unit};
   const bool known = !scales.empty();
   chosen.fit_scale = options.fit_scale || !known;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <utility>
 
 namespace gnathion {
 
@@ -23,16 +25,60 @@ double robust_size(const Points& vertices) {
   return size;
 }
 
-std::vector<LengthUnit> proposed_units(const Points& vertices) {
-  constexpr double kLeast = 110, kMost = 1300, kUsual = 300;  // mm
-  const double size = robust_size(vertices);
-  std::vector<LengthUnit> units;
-  for (const auto& [name, mm] : {std::pair{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}}) {
-    if (size * mm >= kLeast && size * mm <= kMost) units.push_back({name, mm, size * mm});
+namespace {
+
+constexpr double kHead = 260;  // mm along the longest side; a face alone is some 200
+
+std::string in_short(double number) {
+  std::ostringstream text;
+  text.precision(3);
+  text << number;
+  return text.str();
+}
+
+/// How far from a head's size, for the order. Inches come last where something else will do.
+double unlikely(const ProposedUnit& unit, double size) {
+  return std::abs(std::log(size * unit.mm_per_unit / kHead)) + (unit.name == "inch" ? 1 : 0);
+}
+
+/// Of those that are not in doubt otherwise: sure only where there is no other.
+void doubt_together(std::vector<ProposedUnit>& units) {
+  for (ProposedUnit& unit : units) {
+    if (units.size() > 1) unit.confidence = std::min(unit.confidence, Confidence::fair);
+    if (unit.name != "inch") continue;
+    unit.confidence = Confidence::low;
+    unit.reason += "; few scanners use inches, and some use no unit at all";
   }
-  std::sort(units.begin(), units.end(), [](const LengthUnit& a, const LengthUnit& b) {
-    return std::abs(std::log(a.size_mm / kUsual)) < std::abs(std::log(b.size_mm / kUsual));
+}
+
+ProposedUnit no_usual_unit(double size) {
+  const double mm = size > 0 ? kHead / size : 1;
+  return {"", mm, Confidence::low,
+          "in no usual unit is the scan as large as a head; with " + in_short(mm) +
+              " mm a unit its longest side is that of one"};
+}
+
+}  // namespace
+
+std::vector<ProposedUnit> proposed_units(const Points& vertices) {
+  constexpr double kLeast = 110, kMost = 1300, kSureLeast = 150, kSureMost = 520;  // mm
+  const double size = robust_size(vertices);
+  std::vector<ProposedUnit> units;
+  for (const auto& [name, mm_per_unit] :
+       {std::pair{"mm", 1.0}, {"m", 1000.0}, {"cm", 10.0}, {"inch", 25.4}}) {
+    const double mm = size * mm_per_unit;
+    if (!(mm >= kLeast && mm <= kMost)) continue;
+    const bool sure = mm >= kSureLeast && mm <= kSureMost;
+    units.push_back({name, mm_per_unit, sure ? Confidence::high : Confidence::fair,
+                     std::string("in ") + name + " the scan is " + in_short(mm) +
+                         " mm along its longest side, as " +
+                         (mm <= 330 ? "a face or head" : "a head with shoulders") + " is"});
+  }
+  std::stable_sort(units.begin(), units.end(), [size](const auto& a, const auto& b) {
+    return unlikely(a, size) < unlikely(b, size);
   });
+  doubt_together(units);
+  if (units.empty()) units.push_back(no_usual_unit(size));
   return units;
 }
 

@@ -5,67 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
+#include <vector>
 
 #include "base/error.h"
 #include "geometry/triangle_mesh.h"
-#include "registration/units.h"
 
 namespace gnathion {
-namespace {
-
-std::string in_short(double number) {
-  std::ostringstream text;
-  text.precision(3);
-  text << number;
-  return text.str();
-}
-
-}  // namespace
-
-std::vector<ProposedUnit> scan_units(const Points& vertices) {
-  // A face alone is some 200 mm, a head 260, with shoulders up to 500 along its longest side.
-  constexpr double kLeast = 110, kMost = 900, kSureLeast = 150, kSureMost = 520, kHead = 260;
-  const double size = robust_size(vertices);
-  struct Unit {
-    const char* name;
-    double mm;
-  };
-  std::vector<ProposedUnit> units;
-  for (const Unit unit : {Unit{"mm", 1}, {"m", 1000}, {"cm", 10}, {"inch", 25.4}}) {
-    const double mm = size * unit.mm;
-    if (!(mm >= kLeast && mm <= kMost)) continue;
-    const bool sure = mm >= kSureLeast && mm <= kSureMost;
-    units.push_back({unit.name, unit.mm, sure ? Confidence::high : Confidence::fair,
-                     std::string("in ") + unit.name + " the scan is " + in_short(mm) +
-                         " mm along its longest side, as " +
-                         (mm <= 330 ? "a face or head" : "a head with shoulders") + " is"});
-  }
-  // Inches come last where something else will do: few scanners use them.
-  std::stable_sort(
-      units.begin(), units.end(), [size](const ProposedUnit& a, const ProposedUnit& b) {
-        const auto far = [size](const ProposedUnit& u) {
-          return std::abs(std::log(size * u.mm_per_unit / kHead)) + (u.name == "inch" ? 1 : 0);
-        };
-        return far(a) < far(b);
-      });
-  if (units.size() > 1) {
-    for (ProposedUnit& unit : units) unit.confidence = std::min(unit.confidence, Confidence::fair);
-  }
-  for (ProposedUnit& unit : units) {
-    if (unit.name != "inch") continue;
-    unit.confidence = Confidence::low;
-    unit.reason += "; few scanners use inches, and some use no unit at all";
-  }
-  if (units.empty()) {
-    units.push_back({"", size > 0 ? kHead / size : 1, Confidence::low,
-                     "in no usual unit is the scan as large as a head; with " +
-                         in_short(size > 0 ? kHead / size : 1) +
-                         " mm a unit its longest side is that of one"});
-  }
-  return units;
-}
-
 namespace {
 
 using Eigen::Vector3d;

@@ -1,29 +1,12 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "geometry/mesh_types.h"
 #include "geometry/rigid_motion.h"
+#include "registration/units.h"
 
 namespace gnathion {
-
-/// How sure a proposal is, for words beside it; it is asked for all the same.
-enum class Confidence { low, fair, high };
-
-/// A unit that a scan may be in.
-struct ProposedUnit {
-  std::string name;  ///< "m", "cm", "mm", "inch"; empty: no usual one
-  double mm_per_unit = 1;
-  Confidence confidence = Confidence::low;
-  std::string reason;  ///< a sentence for the user
-};
-
-/// The units that would make the scan as large as a face or a head with shoulders, the likeliest
-/// first, each with its reason, inches last and never sure; where none does, one without a name
-/// that makes the longest side 260 mm. vertices: n×3 in the scan's unit, finite, at least one.
-/// Strays are not counted (robust_size()).
-std::vector<ProposedUnit> scan_units(const Points& vertices);
 
 /// Which way a scan's axes run.
 struct ProposedAxes {

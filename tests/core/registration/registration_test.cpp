@@ -185,7 +185,7 @@ TEST(Registration, DoubtsTheWrongUnitAndTheWrongThing) {
 TEST(Registration, DoubtsAnUnusualUnit) {
   Progress progress;
   const KnownScan scan = misplaced(Head::get().dressed, {.mm_per_unit = 55}, 8);
-  EXPECT_TRUE(proposed_units(scan.mesh.vertices).empty());
+  EXPECT_EQ(proposed_units(scan.mesh.vertices).front().confidence, Confidence::low);
   RegistrationOptions options;
   const Registration r = register_photograph(scan.mesh, Head::get().target, options, progress);
   EXPECT_TRUE(has(r, RegistrationDoubt::Kind::unit_unknown));
@@ -237,21 +237,6 @@ TEST(Registration, CanBeCancelled) {
   progress.cancel();
   expect_error(ErrorKind::cancelled, {},
                [&] { register_photograph(scan.mesh, Head::get().target, {}, progress); });
-}
-
-TEST(Units, AreProposedFromTheSizeOfAHead) {
-  const auto names = [](double size) {
-    std::string text;
-    for (const LengthUnit& unit : proposed_units(test::sphere({3, 4, 5}, size / 2, 4).vertices)) {
-      text += unit.name + " ";
-    }
-    return text;
-  };
-  EXPECT_EQ(names(0.25), "m ");
-  EXPECT_EQ(names(24), "cm ");
-  EXPECT_EQ(names(450), "mm ");
-  EXPECT_EQ(names(125), "mm cm ");  // a small face, or all of a person
-  EXPECT_EQ(names(8), "");
 }
 
 TEST(SurfaceSample, LeavesSpikesOut) {

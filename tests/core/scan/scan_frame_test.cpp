@@ -13,30 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(ScanUnits, OfAHeadInEachUnitAreProposedFirst) {
-  const Points head = test::sphere({0, 0, 0}, 125, 3).vertices;  // mm
-  for (const auto& [name, mm] :
-       {std::pair{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"inch", 25.4}}) {
-    const auto units = scan_units(head / mm);
-    EXPECT_EQ(units[0].name, name);
-    EXPECT_EQ(units[0].mm_per_unit, mm);
-    EXPECT_EQ(units[0].confidence == Confidence::low, units[0].name == "inch");
-    EXPECT_NE(units[0].reason.find("mm along"), std::string::npos);
-  }
-  EXPECT_EQ(scan_units(head)[0].confidence, Confidence::high);
-}
-
-TEST(ScanUnits, ThatCannotBeToldAreSaid) {
-  const Points head = test::sphere({0, 0, 0}, 125, 3).vertices;
-  const auto units = scan_units(head / 50);  // arbitrary units, 5 across: inches or nothing
-  EXPECT_EQ(units[0].confidence, Confidence::low);
-  const auto none = scan_units(head * 40);
-  ASSERT_EQ(none.size(), 1U);
-  EXPECT_TRUE(none[0].name.empty());
-  EXPECT_EQ(none[0].confidence, Confidence::low);
-  EXPECT_NEAR(none[0].mm_per_unit * 250 * 40, 260, 15);
-}
-
 TEST(ScanAxes, OfTheRealHeadAreFoundFromAnyRightAngle) {
   const fs::path file = fs::path(GNATHION_SHARED_DATA) / "face-scan/LeePerrySmith.obj";
   if (!fs::exists(file)) GTEST_SKIP() << "the real scan is not at hand";

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <memory>
 
 #include "render/overlay.h"
 
@@ -20,8 +19,7 @@ class CrosshairMark : public Overlay {
  private:
   void prepare(vtkRenderer& renderer) override;
 
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  OverlayLines lines_;
 };
 
 }  // namespace gnathion

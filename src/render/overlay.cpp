@@ -2,9 +2,16 @@
 
 #include <vector>
 
+#include <vtkActor2D.h>
 #include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
+#include <vtkCoordinate.h>
 #include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper2D.h>
 #include <vtkProp.h>
+#include <vtkProperty2D.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
@@ -60,6 +67,46 @@ double Overlay::pixel_ratio(vtkRenderer& renderer) {
   constexpr double logical_dpi = 72;  // VTK's, at which a font's size is its height in pixels
   vtkRenderWindow* window = renderer.GetRenderWindow();
   return window == nullptr ? 1 : window->GetDPI() / logical_dpi;
+}
+
+struct OverlayLines::Impl {
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkActor2D> actor;
+};
+
+OverlayLines::OverlayLines(Place place, const Eigen::Vector3d& colour)
+    : impl_(std::make_unique<Impl>()) {
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(impl_->data);
+  if (place == Place::patient) {
+    vtkNew<vtkCoordinate> world;
+    world->SetCoordinateSystemToWorld();
+    mapper->SetTransformCoordinate(world);
+  }
+  impl_->actor->SetMapper(mapper);
+  impl_->actor->GetProperty()->SetColor(colour.x(), colour.y(), colour.z());
+}
+
+OverlayLines::~OverlayLines() = default;
+
+vtkActor2D* OverlayLines::prop() const {
+  return impl_->actor;
+}
+
+void OverlayLines::set_lines(const std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>& ends) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  for (const auto& [from, to] : ends) {
+    const vtkIdType line[] = {points->InsertNextPoint(from.data()),
+                              points->InsertNextPoint(to.data())};
+    lines->InsertNextCell(2, line);
+  }
+  impl_->data->SetPoints(points);
+  impl_->data->SetLines(lines);
+}
+
+void OverlayLines::set_width(double pixels) {
+  impl_->actor->GetProperty()->SetLineWidth(static_cast<float>(pixels));
 }
 
 }  // namespace gnathion

@@ -1,7 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <utility>
+#include <vector>
 
+#include <Eigen/Core>
+
+class vtkActor2D;
 class vtkProp;
 class vtkRenderer;
 
@@ -28,6 +33,31 @@ class Overlay {
   virtual void prepare(vtkRenderer& renderer) = 0;
   /// Pixels of the picture a logical one: more than 1 on screens of high resolution.
   static double pixel_ratio(vtkRenderer& renderer);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Straight lines of one colour for an overlay, as wide wherever they are.
+class OverlayLines {
+ public:
+  /// Where the ends of a line are.
+  enum class Place {
+    picture,  ///< pixels from the lower left corner, z 0
+    patient,  ///< mm, LPS; seen through everything
+  };
+  /// colour: RGB, 0..1.
+  OverlayLines(Place place, const Eigen::Vector3d& colour);
+  ~OverlayLines();
+  OverlayLines(const OverlayLines&) = delete;
+  OverlayLines& operator=(const OverlayLines&) = delete;
+
+  /// What an overlay adds.
+  vtkActor2D* prop() const;
+  void set_lines(const std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>& ends);
+  /// In pixels of the picture.
+  void set_width(double pixels);
 
  private:
   struct Impl;

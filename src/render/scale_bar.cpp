@@ -6,12 +6,7 @@
 
 #include <vtkActor2D.h>
 #include <vtkCamera.h>
-#include <vtkCellArray.h>
 #include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper2D.h>
-#include <vtkProperty2D.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
@@ -23,6 +18,7 @@ constexpr double most_of_the_width = 0.25;
 constexpr double tick = 4;  // half height, logical pixels
 constexpr double from_below = 12;
 constexpr double font_size = 12;
+const Eigen::Vector3d ink{0.13, 0.17, 0.22};
 constexpr double pi = 3.14159265358979323846;
 
 }  // namespace
@@ -52,29 +48,15 @@ double pixels_per_mm(vtkRenderer& renderer) {
 }
 
 struct ScaleBar::Impl {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkActor2D> bar;
+  OverlayLines bar{OverlayLines::Place::picture, ink};
   vtkNew<vtkTextActor> label;
 };
 
 ScaleBar::ScaleBar() : impl_(std::make_unique<Impl>()) {
-  vtkNew<vtkCellArray> lines;
-  for (const vtkIdType first : {0, 2, 4}) {
-    const vtkIdType line[] = {first, first + 1};
-    lines->InsertNextCell(2, line);
-  }
-  impl_->points->SetNumberOfPoints(6);
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(impl_->points);
-  data->SetLines(lines);
-  vtkNew<vtkPolyDataMapper2D> mapper;
-  mapper->SetInputData(data);
-  impl_->bar->SetMapper(mapper);
-  impl_->bar->GetProperty()->SetColor(0.13, 0.17, 0.22);
   impl_->label->SetInput("");
-  impl_->label->GetTextProperty()->SetColor(0.13, 0.17, 0.22);
+  impl_->label->GetTextProperty()->SetColor(ink.x(), ink.y(), ink.z());
   impl_->label->GetTextProperty()->SetJustificationToCentered();
-  add(impl_->bar);
+  add(impl_->bar.prop());
   add(impl_->label);
 }
 
@@ -91,11 +73,10 @@ void ScaleBar::prepare(vtkRenderer& renderer) {
   const double right = left + mm * scale;
   const double y = from_below * ratio;
   const double up = tick * ratio;
-  const double ends[6][2] = {{left, y},      {right, y},      {left, y - up},
-                             {left, y + up}, {right, y - up}, {right, y + up}};
-  for (vtkIdType p = 0; p < 6; ++p) impl_->points->SetPoint(p, ends[p][0], ends[p][1], 0);
-  impl_->points->Modified();
-  impl_->bar->GetProperty()->SetLineWidth(static_cast<float>(1.5 * ratio));
+  impl_->bar.set_lines({{{left, y, 0}, {right, y, 0}},
+                        {{left, y - up, 0}, {left, y + up, 0}},
+                        {{right, y - up, 0}, {right, y + up, 0}}});
+  impl_->bar.set_width(1.5 * ratio);
   impl_->label->SetInput(scale_bar_words(mm).c_str());
   impl_->label->SetPosition((left + right) / 2, y + up + 2 * ratio);
   impl_->label->GetTextProperty()->SetFontSize(static_cast<int>(font_size));

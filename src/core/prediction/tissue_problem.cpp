@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -20,12 +21,13 @@ struct Bones {
   BspTree all_segments;
 
   const BspTree& tree(int bone) const { return bone == Support::kUnmoved ? skull : segments[bone]; }
-  /// Whether a bone other than this one is within `reach` mm of x.
-  bool is_near_another(int bone, const Eigen::Vector3d& x, double reach) const {
+  /// mm from x to the nearest bone other than this one, at most `reach`.
+  double distance_to_another(int bone, const Eigen::Vector3d& x, double reach) const {
     for (int other = Support::kUnmoved; other < static_cast<int>(segments.size()); ++other) {
-      if (other != bone && tree(other).nearest(x, reach)) return true;
+      if (other == bone) continue;
+      if (const auto nearest = tree(other).nearest(x, reach)) reach = nearest->distance;
     }
-    return false;
+    return reach;
   }
 };
 
@@ -143,6 +145,43 @@ Points sliding_normals(const Anatomy& anatomy, const Bones& bones, const std::ve
   return normals;
 }
 
+/// M: mm from the inner vertex of each vertex that rests on bone to bone other than that, at most
+/// `reach`.
+std::vector<double> distances_to_another(const Bones& bones, const std::vector<int>& bone,
+                                         const SoftTissueMesh& tissue, double reach) {
+  std::vector<double> distances(bone.size(), reach);
+  for (int v = 0; v < tissue.surface_count; ++v) {
+    if (bone[v] == kNoBone) continue;
+    const Eigen::Vector3d x = tissue.mesh.vertices.row(tissue.inner(v));
+    distances[v] = bones.distance_to_another(bone[v], x, reach);
+  }
+  return distances;
+}
+
+/// mm next to other bone within which each segment lets its tissue go: what the model says, or
+/// less where that would leave a small segment next to nothing to move the face by.
+std::vector<double> released_margins(const TissueModel& model, const Anatomy& anatomy,
+                                     const std::vector<int>& bone,
+                                     const std::vector<double>& to_another, Progress& progress) {
+  constexpr double kMost = 2.0 / 3;  // of how far what rests on the segment lies from other bone
+  std::vector<double> margins;
+  for (int b = 0; b < static_cast<int>(anatomy.segments.size()); ++b) {
+    double farthest = 0;
+    for (std::size_t v = 0; v < bone.size(); ++v) {
+      if (bone[v] == b) farthest = std::max(farthest, to_another[v]);
+    }
+    margins.push_back(std::min(model.released_mm, kMost * farthest));
+    if (farthest > 0 && margins.back() < model.released_mm) {
+      std::ostringstream mm;
+      mm.precision(2);
+      mm << margins.back() << " mm";
+      progress.notice("tissue on \"" + anatomy.segments[b].name + "\" is let go within " +
+                      mm.str() + " of other bone only (tissue.released_mm): it is small");
+    }
+  }
+  return margins;
+}
+
 /// Rim fixed; inner vertices held, moved or slid over by the bone they rest on (displacement
 /// transfer), unless it is next to bone on the other side of a cut; with force transfer only the
 /// rim is held, as in the paper.
@@ -153,6 +192,9 @@ void set_supports(const Anatomy& anatomy, const TissueModel& model, const Bones&
   const std::vector<int> bone = resting_on(model, bones, problem);
   const std::vector<bool> slides = sliding_vertices(anatomy, model, bone, problem, progress);
   const Points normals = sliding_normals(anatomy, bones, bone, slides, tissue);
+  const std::vector<double> to_another =
+      distances_to_another(bones, bone, tissue, 1.5 * model.released_mm);
+  const std::vector<double> margins = released_margins(model, anatomy, bone, to_another, progress);
   for (int v = 0; v < tissue.surface_count; ++v) {
     Support& inner = problem.supports[tissue.inner(v)];
     if (problem.region.held[v]) {
@@ -165,8 +207,8 @@ void set_supports(const Anatomy& anatomy, const TissueModel& model, const Bones&
     if (slides[v]) {
       inner = Support::slides(normals.row(v), bone[v]);
       ++problem.sliding_count;
-    } else if (bones.is_near_another(bone[v], tissue.mesh.vertices.row(tissue.inner(v)),
-                                     model.released_mm)) {
+    } else if (to_another[v] <
+               (bone[v] == Support::kUnmoved ? model.released_mm : margins[bone[v]])) {
       ++problem.released_count;
     } else if (bone[v] == Support::kUnmoved) {
       inner = Support::fixed;
@@ -185,12 +227,6 @@ void require_driven(LoadModel load, const TissueProblem& problem) {
         return tied && support.body != Support::kUnmoved;
       });
   if (load == LoadModel::displacement ? by_bone : !problem.forced.empty()) return;
-  if (problem.released_count > 0 && load == LoadModel::displacement) {
-    throw Error(ErrorKind::anatomy, "tissue.released_mm",
-                "all tissue on the segment is next to the cut and let go, so nothing would move "
-                "the face",
-                "lower tissue.released_mm");
-  }
   throw Error(ErrorKind::anatomy, "region",
               "no bone of a segment lies under it, so nothing would move the face",
               "choose a region over the segment, or raise tissue.bone_reach_mm");

@@ -1,6 +1,7 @@
 #include "prediction/face_model.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <numeric>
 
@@ -164,6 +165,19 @@ TEST(TissueProblem, BoneNextToTheCutReleasesTheTissue) {
   const TissueProblem released = build_tissue(test::head_scene(), reach_of_40, wide, progress);
   EXPECT_GT(released.released_count, 3);
   EXPECT_LT(released.attached_count, held.attached_count);
+}
+
+TEST(TissueProblem, ASmallSegmentKeepsTheTissueFarthestFromOtherBone) {
+  Progress progress;
+  TissueModel wide;
+  wide.released_mm = 200;  // all of the segment is nearer than that to other bone
+  const TissueProblem problem = build_tissue(test::head_scene(), reach_of_40, wide, progress);
+  EXPECT_GT(problem.released_count, 3);
+  EXPECT_GT(problem.attached_count, 3);
+  const std::vector<std::string> notices = progress.notices();
+  EXPECT_TRUE(std::ranges::any_of(notices, [](const std::string& notice) {
+    return notice.find("it is small") != std::string::npos;
+  }));
 }
 
 /// The head with the ball under the cheek as a second segment.

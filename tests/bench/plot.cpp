@@ -257,6 +257,15 @@ class Drawing {
   std::vector<Box> taken_;  ///< by markers and labels
 };
 
+/// The words before the last commas, as many as a panel is wide.
+std::string fitting(std::string title) {
+  constexpr std::size_t kMostLetters = 56;
+  while (title.size() > kMostLetters && title.find(", ") != std::string::npos) {
+    title.erase(title.rfind(", "));
+  }
+  return title;
+}
+
 void Drawing::draw_axes() {
   for (const Tick& tick : ticks_of(x_)) {
     const double x = x_.at(tick.value);
@@ -271,7 +280,8 @@ void Drawing::draw_axes() {
   canvas_.line(area_.left, area_.bottom, area_.right, area_.bottom, "#555555", 1.2);
   canvas_.line(area_.left, area_.top, area_.left, area_.bottom, "#555555", 1.2);
   const double middle = (area_.left + area_.right) / 2;
-  canvas_.text(middle, area_.top - 10, plot_.title, "middle", kFont + 1, "font-weight=\"bold\"");
+  canvas_.text(middle, area_.top - 10, fitting(plot_.title), "middle", kFont + 1,
+               "font-weight=\"bold\"");
   canvas_.text(middle, area_.bottom + 42, plot_.x.label, "middle", kFont);
   canvas_.text(area_.left - 56, (area_.top + area_.bottom) / 2, plot_.y.label, "middle", kFont, "",
                -90);

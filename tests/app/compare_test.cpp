@@ -1,44 +1,23 @@
-#include <QAction>
-#include <QApplication>
-#include <QCheckBox>
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QDir>
-#include <QDoubleSpinBox>
-#include <QFileDialog>
-#include <QLabel>
-#include <QLineEdit>
-#include <QOpenGLWidget>
-#include <QPainter>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QSpinBox>
-#include <QTabWidget>
 #include <QTableWidget>
-#include <QTemporaryDir>
-#include <QTest>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <memory>
-
-#include <vtkCamera.h>
-#include <vtkRenderer.h>
 
 #include "app/compare_panel.h"
-#include "app/display.h"
+#include "app/driven_window.h"
 #include "app/exports.h"
-#include "app/face_view.h"
 #include "app/histogram_view.h"
-#include "app/main_window.h"
 #include "app/place_words.h"
-#include "demo/demo_case.h"
 #include "geometry/bsp_tree.h"
 #include "geometry/triangle_mesh.h"
-#include "io/case_file.h"
 #include "io/files.h"
 #include "io/obj_document.h"
 
@@ -46,17 +25,6 @@ namespace gnathion::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int patience = 120000;  // ms, for work beside the window
-
-int differing_pixels(const Picture& a, const Picture& b) {
-  if (a.width != b.width || a.height != b.height) return a.width * a.height;
-  int count = 0;
-  for (std::size_t i = 0; i < a.rgb.size(); i += 3) {
-    if (std::abs(a.rgb[i] - b.rgb[i]) > 12 || std::abs(a.rgb[i + 1] - b.rgb[i + 1]) > 12) ++count;
-  }
-  return count;
-}
 
 /// A part of a picture between fractions of its width, without the words above and below.
 Picture columns(const Picture& picture, double from, double to) {
@@ -96,7 +64,7 @@ TriangleMesh read_stl(const fs::path& path, std::string& header) {
 
 }  // namespace
 
-class CompareTest : public QObject {
+class CompareTest : public QObject, private DrivenWindow {
   Q_OBJECT
 
  private slots:
@@ -124,91 +92,40 @@ class CompareTest : public QObject {
   void windowMayCloseWhileComparing();
 
  private:
-  template <typename T>
-  T* find(const char* name) const {
-    T* found = window_->findChild<T*>(name);
-    if (found == nullptr) qFatal("no widget %s", name);
-    return found;
-  }
-  CaseController& model() const { return window_->controller(); }
-  FaceView& view() const { return window_->face_view(); }
-  QWidget* canvas() const { return view().canvas(); }
   ComparePanel& panel() const { return *window_->findChild<ComparePanel*>(); }
-  QString path(const char* name) const { return folder_.filePath(name); }
-  void choose_step(const QString& title) const {
-    auto* steps = find<QTabWidget>("steps");
-    for (int i = 0; i < steps->count(); ++i) {
-      if (steps->tabText(i).remove('&') == title) steps->setCurrentIndex(i);
-    }
-  }
   void choose_mode(const QString& words) const {
     auto* box = find<QComboBox>("mode_box");
     box->setCurrentIndex(box->findText(words));
     QTest::qWait(50);
   }
-  void move(double forward_mm) const {
+  void advance(double forward_mm) const {
     JawMotion motion;
     motion.forward_mm = forward_mm;
     model().set_motion(motion);
   }
   void wait_for_refined() const {
-    QTRY_VERIFY_WITH_TIMEOUT(model().refinement() == Refinement::done, patience);
+    await_answer();
     QTRY_VERIFY_WITH_TIMEOUT(panel().compare_view().can_point(), patience);
-  }
-  void drag(QPoint from, QPoint to) const {
-    QTest::mouseMove(canvas(), from);
-    QTest::mousePress(canvas(), Qt::LeftButton, {}, from);
-    for (int step = 1; step <= 5; ++step) {
-      const QPoint at = from + (to - from) * step / 5;
-      QMouseEvent event(QEvent::MouseMove, at, canvas()->mapToGlobal(at), Qt::NoButton,
-                        Qt::LeftButton, {});
-      QApplication::sendEvent(canvas(), &event);
-    }
-    QTest::mouseRelease(canvas(), Qt::LeftButton, {}, to);
   }
   QPoint at(double x, double y) const {
     return {static_cast<int>(x * canvas()->width()), static_cast<int>(y * canvas()->height())};
   }
-  /// Looked at by whoever sets GNATHION_KEEP_PICTURES to a folder.
-  void keep(const QString& name) const {
-    const QString folder = qEnvironmentVariable("GNATHION_KEEP_PICTURES");
-    if (folder.isEmpty()) return;
-    QTest::qWait(600);
-    QPixmap shot = window_->grab();
-    QPainter painter(&shot);
-    auto* gl = qobject_cast<QOpenGLWidget*>(canvas());
-    painter.drawImage(QRect(gl->mapTo(window_.get(), QPoint()), gl->size()), gl->grabFramebuffer());
-    painter.end();
-    shot.save(folder + "/" + name + ".png");
-  }
-
-  QTemporaryDir folder_;
-  std::unique_ptr<MainWindow> window_;
 };
 
 void CompareTest::initTestCase() {
-  Progress progress;
-  const std::string demo = path("demo").toStdString();
-  write_demo_case(1, demo, progress);
-  SurgicalCase plan = read_case_file(demo + "/case.json");
-  plan.tissue.strain = Strain::small;  // large strain takes many seconds
-  write_case_file(plan, demo + "/plain.json");
-  window_ = std::make_unique<MainWindow>();
-  window_->show();
-  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-  const QString wanted = qEnvironmentVariable("GNATHION_COMPARE_CASE");
-  window_->open_case(wanted.isEmpty() ? path("demo/plain.json") : wanted);
-  QTRY_VERIFY_WITH_TIMEOUT(!model().is_working(), patience);
+  make_demo();
+  start_window();
+  open(changed_case("plain.json", [](SurgicalCase&) {}));
   QVERIFY(model().has_case());
-  find<QAction>("slices_action")->setChecked(false);
+  action("slices_action")->setChecked(false);
 }
 
 void CompareTest::init() {
-  QApplication::setActiveWindow(window_.get());
-  move(6);
+  activate();
+  advance(6);
   choose_step("Compare");
   find<QCheckBox>("colour_check")->setChecked(false);
-  find<QDoubleSpinBox>("range_box")->setValue(0);
+  box("range_box")->setValue(0);
   find<QPushButton>("distance_button")->setChecked(false);
   choose_mode("Side by side");
   view().look_from(CameraPreset::three_quarter);
@@ -220,7 +137,7 @@ void CompareTest::cleanupTestCase() {
 }
 
 void CompareTest::stepBringsTheFaceBeforeAndTakesItAway() {
-  keep("side_by_side");
+  shoot("compare_side_by_side");
   const Picture both = view().picture();
   choose_step("Move");
   QVERIFY(view().tool() == nullptr);
@@ -233,13 +150,13 @@ void CompareTest::stepBringsTheFaceBeforeAndTakesItAway() {
 }
 
 void CompareTest::sideBySideShowsBothThroughOneCamera() {
-  find<QAction>("bone_action")->setChecked(false);
+  action("bone_action")->setChecked(false);
   view().look_from(CameraPreset::left);
   const Picture moved = view().picture();
   const Picture left = columns(moved, 0.0, 0.5), right = columns(moved, 0.5, 1.0);
-  keep("side_by_side_left");
+  shoot("compare_side_by_side_left");
   // Words aside, without motion both halves are the same picture.
-  move(0);
+  advance(0);
   wait_for_refined();
   const Picture rest = view().picture();
   const int apart = differing_pixels(left, right);
@@ -253,7 +170,7 @@ void CompareTest::sideBySideShowsBothThroughOneCamera() {
   QVERIFY(differing_pixels(columns(turned, 0.0, 0.5), columns(rest, 0.0, 0.5)) > 500);
   QVERIFY(differing_pixels(columns(turned, 0.0, 0.5), columns(turned, 0.5, 1.0)) <
           2 * at_rest + 500);
-  find<QAction>("bone_action")->setChecked(true);
+  action("bone_action")->setChecked(true);
 }
 
 void CompareTest::dividerIsDraggedInTheView() {
@@ -262,7 +179,7 @@ void CompareTest::dividerIsDraggedInTheView() {
   choose_mode("Wipe");
   auto* slider = find<QSlider>("wipe_slider");
   slider->setValue(50);
-  keep("wipe");
+  shoot("compare_wipe");
   const Eigen::Vector3d eye(view().renderer()->GetActiveCamera()->GetPosition());
   drag(at(0.5, 0.6), at(0.25, 0.6));
   QVERIFY(std::abs(panel().compare_view().scene().wipe() - 0.25) < 0.01);
@@ -294,7 +211,7 @@ void CompareTest::blendGoesFromOneFaceToTheOther() {
   choose_mode("Blend");
   auto* slider = find<QSlider>("blend_slider");
   slider->setValue(50);
-  keep("blend");
+  shoot("compare_blend");
   slider->setValue(0);
   const Picture none = columns(view().picture(), 0.2, 0.8);
   slider->setValue(100);
@@ -310,7 +227,7 @@ void CompareTest::blendGoesFromOneFaceToTheOther() {
 void CompareTest::profileShowsBothOutlines() {
   const Picture faces = view().picture();
   choose_mode("Profile outlines");
-  keep("profile");
+  shoot("compare_profile");
   const Profile& profile = panel().compare_view().profile();
   QVERIFY(!profile.before.empty());
   QVERIFY(!profile.after.empty());
@@ -341,22 +258,22 @@ void CompareTest::profileShowsBothOutlines() {
   const Picture paper = view().picture();
   drag(at(0.5, 0.5), at(0.6, 0.4));
   QVERIFY(differing_pixels(paper, view().picture()) > 500);
-  find<QDoubleSpinBox>("section_box")->setValue(20);
+  box("section_box")->setValue(20);
   QVERIFY(std::abs(panel().compare_view().profile().before[0](0, 0) - (x + 20)) < 1e-6);
-  find<QDoubleSpinBox>("section_box")->setValue(0);
+  box("section_box")->setValue(0);
 }
 
 void CompareTest::colourMapHasAFixedOrAutomaticRange() {
   const Picture photograph = view().picture();
-  QTest::mouseClick(find<QCheckBox>("colour_check"), Qt::LeftButton, {}, QPoint(8, 8));
+  click("colour_check");
   QVERIFY(view().is_colour_map_visible());
-  QVERIFY(find<QAction>("colour_map_action")->isChecked());
-  keep("colour_map");
+  QVERIFY(action("colour_map_action")->isChecked());
+  shoot("compare_colour_map");
   const Picture automatic = view().picture();
   QVERIFY(differing_pixels(photograph, automatic) > 500);
-  find<QDoubleSpinBox>("range_box")->setValue(20);
+  box("range_box")->setValue(20);
   QVERIFY(differing_pixels(automatic, view().picture()) > 500);
-  find<QAction>("colour_map_action")->trigger();
+  action("colour_map_action")->trigger();
   QVERIFY(!find<QCheckBox>("colour_check")->isChecked());
 }
 
@@ -375,7 +292,7 @@ void CompareTest::numbersAreThoseOfTheAnswer() {
   const DistanceStatistics change = distance_statistics(refined.signed_distance(moving));
   QVERIFY(near(shown(1, 0), change.mean));
   QVERIFY(near(shown(1, 2), change.max));
-  QVERIFY(find<QLabel>("answer_label")->text().contains("Refined"));
+  QVERIFY(label("answer_label").contains("Refined"));
   // The chin comes forward by 6 mm: the face gains.
   QVERIFY(panel().change().volume_mm3 > 1000);
   auto* histogram = find<HistogramView>("histogram_view");
@@ -390,16 +307,16 @@ void CompareTest::numbersAreThoseOfTheAnswer() {
 }
 
 void CompareTest::quickAnswerSaysSo() {
-  move(4);
-  QVERIFY(find<QLabel>("answer_label")->text().contains("not refined yet"));
-  QVERIFY(find<QLabel>("volume_label")->text().contains("quick answer"));
+  advance(4);
+  QVERIFY(label("answer_label").contains("not refined yet"));
+  QVERIFY(label("volume_label").contains("quick answer"));
   auto* table = find<QTableWidget>("numbers_table");
   QVERIFY(std::abs(table->item(0, 2)->text().toDouble() - model().response().displacement.max) <
           0.051);
   QCOMPARE(table->item(1, 0)->text(), QString(QChar(0x2013)));
   QVERIFY(find<HistogramView>("histogram_view")->histogram().counts.empty());
   wait_for_refined();
-  QVERIFY(find<QLabel>("answer_label")->text().contains("Refined"));
+  QVERIFY(label("answer_label").contains("Refined"));
   QVERIFY(!find<HistogramView>("histogram_view")->histogram().counts.empty());
 }
 
@@ -433,33 +350,33 @@ void CompareTest::pointUnderTheMouseIsReadOnBothSides() {
   QVERIFY(!compare.reading_at(at(0.99, 0.02)));
   QTest::mouseMove(canvas(), at(0.74, 0.6));
   QTest::mouseMove(canvas(), at(0.75, 0.6));
-  QTRY_VERIFY(find<QLabel>("reading_label")->text().contains("moves"));
+  QTRY_VERIFY(label("reading_label").contains("moves"));
   QVERIFY(find<QLabel>("cursor_words")->isVisible());
-  keep("reading");
+  shoot("compare_reading");
 }
 
 void CompareTest::distanceIsMeasuredByTwoClicks() {
   view().look_from(CameraPreset::front);
   const Picture plain = view().picture();
   const CompareView& compare = panel().compare_view();
-  QTest::mouseClick(find<QPushButton>("distance_button"), Qt::LeftButton);
+  click("distance_button");
   // One end on the predicted face, the other on the face before.
   const QPoint first = at(0.75, 0.62), second = at(0.25, 0.45);
   const auto a = compare.reading_at(first), b = compare.reading_at(second);
   QVERIFY(a && b);
   QTest::mouseClick(canvas(), Qt::LeftButton, {}, first);
   QVERIFY(!compare.distance());
-  QVERIFY(find<QLabel>("distance_label")->text().contains("second"));
+  QVERIFY(label("distance_label").contains("second"));
   QTest::mouseClick(canvas(), Qt::LeftButton, {}, second);
   QVERIFY(compare.distance());
   QVERIFY(std::abs(compare.distance()->before - (a->before - b->before).norm()) < 1e-9);
   QVERIFY(std::abs(compare.distance()->after - (a->after - b->after).norm()) < 1e-9);
-  QVERIFY(find<QLabel>("distance_label")->text().contains(mm_words(compare.distance()->after)));
-  keep("distance");
+  QVERIFY(label("distance_label").contains(mm_words(compare.distance()->after)));
+  shoot("compare_distance");
   QVERIFY(differing_pixels(plain, view().picture()) > 100);
-  move(3);  // the ends stay on the skin
+  advance(3);  // the ends stay on the skin
   QVERIFY(std::abs(compare.distance()->after - (a->after - b->after).norm()) > 0.1);
-  QTest::mouseClick(find<QPushButton>("clear_button"), Qt::LeftButton);
+  click("clear_button");
   QVERIFY(!compare.distance());
 }
 
@@ -473,11 +390,7 @@ void CompareTest::placesAreSaidInWords() {
 
 void CompareTest::bonesAreExportedInTheirPlannedPlaces() {
   const QString target = path("bones");
-  find<QAction>("bones_action")->trigger();
-  auto* dialog = find<QFileDialog>("bones_dialog");
-  dialog->findChild<QLineEdit*>("fileNameEdit")->setText(target);
-  auto* buttons = dialog->findChild<QDialogButtonBox*>("buttonBox");
-  QTest::mouseClick(buttons->button(QDialogButtonBox::Save), Qt::LeftButton);
+  answer("bones_action", "bones_dialog", target);
   QTRY_VERIFY_WITH_TIMEOUT(QDir(target).exists(), patience);
   const BoneSegment& segment = model().loaded().anatomy->segments[0];
   std::string header;
@@ -542,9 +455,6 @@ void CompareTest::turntableIsAFilmOrPictures() {
   QVERIFY(differing_pixels(front, left) > 2000);
   QVERIFY(QFileInfo::exists(path("turn/turn_0004.png")));
   QVERIFY(!QFileInfo::exists(path("turn/turn_0005.png")));
-  if (!qEnvironmentVariable("GNATHION_KEEP_PICTURES").isEmpty()) {
-    write_png(front, qEnvironmentVariable("GNATHION_KEEP_PICTURES").toStdString() + "/turn.png");
-  }
   wish.form = TurntableWish::Form::film;
   wish.target = path("turn.avi").toStdString();
   exports.save_turntable(wish);
@@ -595,8 +505,7 @@ void CompareTest::largerPictureShowsTheSame() {
 void CompareTest::windowMayCloseWhileComparing() {
   auto window = std::make_unique<MainWindow>();
   window->show();
-  window->open_case(path("demo/plain.json"));
-  QTRY_VERIFY_WITH_TIMEOUT(!window->controller().is_working(), patience);
+  User(*window).open(demo_ + "/plain.json");
   auto* steps = window->findChild<QTabWidget*>("steps");
   steps->setCurrentIndex(steps->count() - 1);
   Exports* exports = window->findChild<Exports*>();
@@ -613,14 +522,7 @@ void CompareTest::windowMayCloseWhileComparing() {
 }  // namespace gnathion::test
 
 int main(int argc, char** argv) {
-  QCoreApplication::setApplicationName("gnathion");
-  const QTemporaryDir cache;
-  qputenv("XDG_CACHE_HOME", cache.path().toLocal8Bit());
-  gnathion::prepare_graphics();
-  QApplication application(argc, argv);
-  gnathion::use_c_numbers();
-  gnathion::test::CompareTest test;
-  return QTest::qExec(&test, argc, argv);
+  return gnathion::test::run<gnathion::test::CompareTest>(argc, argv);
 }
 
 #include "compare_test.moc"

@@ -1,32 +1,14 @@
-#include <QAction>
-#include <QApplication>
-#include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QLabel>
-#include <QMouseEvent>
-#include <QOpenGLWidget>
 #include <QSlider>
-#include <QTabWidget>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QToolButton>
 #include <cmath>
-#include <filesystem>
-#include <memory>
 #include <numbers>
 
-#include <vtkCamera.h>
-#include <vtkRenderer.h>
 #include <Eigen/Geometry>
 
-#include "app/display.h"
-#include "app/face_view.h"
-#include "app/main_window.h"
+#include "app/driven_window.h"
 #include "app/motion_panel.h"
 #include "app/motion_words.h"
-#include "demo/demo_case.h"
-#include "io/case_file.h"
 #include "phantom/head_phantom.h"
 #include "render/turning_rings.h"
 
@@ -35,25 +17,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int patience = 60000;  // ms, for work beside the window
-
 double distance(const RigidMotion& a, const RigidMotion& b) {
   const Vector3d chin(0, -90, -75);
   return (a.rotation - b.rotation).norm() + (a(chin) - b(chin)).norm();
 }
 
-int differing_pixels(const Picture& a, const Picture& b) {
-  int count = 0;
-  for (std::size_t i = 0; i < std::min(a.rgb.size(), b.rgb.size()); i += 3) {
-    if (std::abs(a.rgb[i] - b.rgb[i]) + std::abs(a.rgb[i + 1] - b.rgb[i + 1]) > 24) ++count;
-  }
-  return count;
-}
-
 }  // namespace
 
 /// Moving segments in the window as a user does: mouse, keys, numbers.
-class MotionTest : public QObject {
+class MotionTest : public QObject, private DrivenWindow {
   Q_OBJECT
 
  private slots:
@@ -78,41 +50,11 @@ class MotionTest : public QObject {
   void stepThatIsLeftTakesItsMarksAlong();
 
  private:
-  template <typename T>
-  T* find(const char* name) const {
-    T* found = window_->findChild<T*>(name);
-    if (found == nullptr) qFatal("no widget %s", name);
-    return found;
-  }
-  CaseController& model() const { return window_->controller(); }
-  QOpenGLWidget* canvas() const { return find<QOpenGLWidget>("face_canvas"); }
-  QString label(const char* name) const { return find<QLabel>(name)->text(); }
-  void type(const char* name, const QString& text) const {
-    auto* box = find<QDoubleSpinBox>(name);
-    box->setFocus();
-    box->selectAll();
-    QTest::keyClicks(box, text);
-    QTest::keyClick(box, Qt::Key_Return);
-  }
-  void look_from(const char* action) const {
-    find<QAction>(action)->trigger();
-    QTest::qWait(300);  // the frame
-  }
   const BoneSegment& bone() const {
     return model().loaded().anatomy->segments[model().active_segment()];
   }
   RigidMotion pose() const { return rigid_motion(model().motion(), bone().pivot); }
 
-  /// Where on the canvas a point of the patient is seen.
-  QPoint pixel(const Vector3d& point) const {
-    vtkRenderer* renderer = window_->face_view().renderer();
-    renderer->SetWorldPoint(point.x(), point.y(), point.z(), 1);
-    renderer->WorldToDisplay();
-    const double* at = renderer->GetDisplayPoint();
-    const double ratio = canvas()->devicePixelRatioF();
-    return {static_cast<int>(std::lround(at[0] / ratio)),
-            static_cast<int>(std::lround(canvas()->height() - 1 - at[1] / ratio))};
-  }
   /// On the ring about an axis, where it is by now.
   Vector3d on_ring(int axis, double degrees) const {
     Vector3d p = pose()(bone().pivot);
@@ -121,60 +63,24 @@ class MotionTest : public QObject {
     p[(axis + 2) % 3] += TurningRings::radius * std::sin(angle);
     return p;
   }
-  void drag(QPoint from, QPoint to) const {
-    QTest::mouseMove(canvas(), from);
-    QTest::mousePress(canvas(), Qt::LeftButton, {}, from);
-    for (int step = 1; step <= 6; ++step) {
-      const QPoint at = from + (to - from) * step / 6;
-      // QTest::mouseMove tells no button; a user's mouse does.
-      QMouseEvent move(QEvent::MouseMove, at, canvas()->mapToGlobal(at), Qt::NoButton,
-                       Qt::LeftButton, {});
-      QApplication::sendEvent(canvas(), &move);
-    }
-    QTest::mouseRelease(canvas(), Qt::LeftButton, {}, to);
-  }
-  void wait_for_edit() const { QTRY_VERIFY_WITH_TIMEOUT(!model().is_working(), patience); }
   void choose_pivot(int row) const {
     auto* box = find<QComboBox>("pivot_box");
     box->setFocus();
     QTest::keyClick(box, Qt::Key_Home);
     for (int i = 0; i < row; ++i) QTest::keyClick(box, Qt::Key_Down);
-    wait_for_edit();
+    settle();
   }
-  void open(const QString& file) const {
-    window_->open_case(file);
-    wait_for_edit();
-  }
-  template <typename Change>
-  QString changed_case(const char* name, Change change) const {
-    SurgicalCase plan = read_case_file(demo_.toStdString() + "/case.json");
-    plan.tissue.strain = Strain::small;
-    plan.segments[0].motion = {};
-    change(plan);
-    const QString file = demo_ + "/" + name;
-    write_case_file(plan, file.toStdString());
-    return file;
-  }
-
-  QTemporaryDir folder_;
-  QString demo_;
   QString plain_;
-  std::unique_ptr<MainWindow> window_;
 };
 
 void MotionTest::initTestCase() {
-  demo_ = folder_.filePath("demo");
-  Progress progress;
-  write_demo_case(1, demo_.toStdString(), progress);
-  plain_ = changed_case("plain.json", [](SurgicalCase&) {});
-  window_ = std::make_unique<MainWindow>();
-  window_->resize(1280, 900);
-  window_->show();
-  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  make_demo();
+  plain_ = changed_case("plain.json", [](SurgicalCase& plan) { plan.segments[0].motion = {}; });
+  start_window({1280, 900});
 }
 
 void MotionTest::init() {
-  QApplication::setActiveWindow(window_.get());
+  activate();
   // Opening is slow; what a test has left behind is taken back where that is possible.
   const bool as_it_was = model().has_case() && model().plan().segments.size() == 1 &&
                          !model().plan().segments[0].pivot;
@@ -192,13 +98,13 @@ void MotionTest::cleanupTestCase() {
 void MotionTest::ringTurnsTheSegmentAboutThePivot() {
   look_from("left_action");
   // The left profile looks along the pitch ring: its upper front, towards the top.
-  const QPoint from = pixel(on_ring(0, 155));
-  drag(from, pixel(on_ring(0, 147)));
+  const QPoint from = pixel_of(on_ring(0, 155));
+  drag(from, pixel_of(on_ring(0, 147)));
   const JawMotion motion = model().motion();
   QVERIFY2(std::abs(motion.pitch_deg - 8) < 1.2, qPrintable(motion_words(motion)));
   QCOMPARE(motion, (JawMotion{.pitch_deg = motion.pitch_deg}));
   QVERIFY(std::abs(10 * motion.pitch_deg - std::round(10 * motion.pitch_deg)) < 1e-9);
-  QCOMPARE(find<QDoubleSpinBox>("pitch_box")->value(), std::round(100 * motion.pitch_deg) / 100);
+  QCOMPARE(box("pitch_box")->value(), std::round(100 * motion.pitch_deg) / 100);
   QVERIFY(distance(model().response().poses[0], pose()) < 1e-12);
   QCOMPARE(model().history().undo_name().substr(0, 4), std::string("Move"));
 }
@@ -210,7 +116,7 @@ void MotionTest::secondRingGoesOnExactlyFromTheFirst() {
   const Vector3d centre = before(bone().pivot);
   look_from("front_action");
   // The front looks along the roll ring (y); its left upper part, upwards: the left side rises.
-  drag(pixel(on_ring(1, 60)), pixel(on_ring(1, 50)));
+  drag(pixel_of(on_ring(1, 60)), pixel_of(on_ring(1, 50)));
   const RigidMotion after = model().response().poses[0];
   const Eigen::AngleAxisd turn(after.rotation * before.rotation.transpose());
   const double degrees = turn.angle() * 180 / std::numbers::pi;
@@ -243,10 +149,10 @@ void MotionTest::undoAndRedoGiveTheExactNumbers() {
   type("forward_box", "6");
   QTest::qWait(300);  // the motion rests: a step
   look_from("left_action");
-  drag(pixel(on_ring(0, 155)), pixel(on_ring(0, 149)));
+  drag(pixel_of(on_ring(0, 155)), pixel_of(on_ring(0, 149)));
   const JawMotion first = model().motion();
   look_from("front_action");
-  drag(pixel(on_ring(1, 60)), pixel(on_ring(1, 55)));
+  drag(pixel_of(on_ring(1, 60)), pixel_of(on_ring(1, 55)));
   const JawMotion second = model().motion();
   QVERIFY(first != (JawMotion{.forward_mm = 6}));
   QVERIFY(first != second);
@@ -268,23 +174,23 @@ void MotionTest::lockKeepsTheGripsToOneAxis() {
   QVERIFY(find<QToolButton>("lock_z_button")->isChecked());
   // The pitch ring is gone: the camera turns instead.
   const Vector3d eye(window_->face_view().renderer()->GetActiveCamera()->GetPosition());
-  drag(pixel(on_ring(0, 135)), pixel(on_ring(0, 135)) + QPoint(-20, 0));
+  drag(pixel_of(on_ring(0, 135)), pixel_of(on_ring(0, 135)) + QPoint(-20, 0));
   QVERIFY(model().motion() == JawMotion{});
   const Vector3d turned_eye(window_->face_view().renderer()->GetActiveCamera()->GetPosition());
   QVERIFY((eye - turned_eye).norm() > 5);
   QTest::keyClick(canvas(), Qt::Key_X);
   QVERIFY(find<QToolButton>("lock_x_button")->isChecked());
   QVERIFY(!find<QToolButton>("lock_z_button")->isChecked());
-  QTest::mouseClick(find<QToolButton>("lock_x_button"), Qt::LeftButton);
+  click("lock_x_button");
   QVERIFY(!find<QToolButton>("lock_x_button")->isChecked());
   look_from("left_action");
-  drag(pixel(on_ring(0, 135)), pixel(on_ring(0, 130)));
+  drag(pixel_of(on_ring(0, 135)), pixel_of(on_ring(0, 130)));
   QVERIFY(model().motion().pitch_deg > 1);
 }
 
 void MotionTest::numbersBeyondTheirHundredthsAreKept() {
   model().set_motion({.forward_mm = 1.23456789, .yaw_deg = 0.333333});
-  QCOMPARE(find<QDoubleSpinBox>("forward_box")->value(), 1.23);
+  QCOMPARE(box("forward_box")->value(), 1.23);
   type("up_box", "2");
   QVERIFY(model().motion() ==
           (JawMotion{.forward_mm = 1.23456789, .up_mm = 2, .yaw_deg = 0.333333}));
@@ -307,7 +213,7 @@ void MotionTest::anotherPivotLeavesTheBone() {
   QVERIFY(model().motion().forward_mm != told.forward_mm);
   QCOMPARE(model().motion().pitch_deg, told.pitch_deg);
   QCOMPARE(find<QComboBox>("pivot_box")->currentIndex(), 2);
-  QVERIFY(std::abs(find<QDoubleSpinBox>("pivot_y_box")->value() - bone().pivot.y()) < 0.051);
+  QVERIFY(std::abs(box("pivot_y_box")->value() - bone().pivot.y()) < 0.051);
   QCOMPARE(model().history().undo_name(), std::string("Set the pivot"));
   Points after;
   model().loaded().model->predict(std::array{pose()}, after);
@@ -315,14 +221,14 @@ void MotionTest::anotherPivotLeavesTheBone() {
   QVERIFY(model().loaded().model.get() == face_model);  // nothing was computed anew
 
   type("pivot_z_box", "-60");
-  wait_for_edit();
+  settle();
   QCOMPARE(bone().pivot.z(), -60.0);
   QVERIFY(distance(pose(), before) < 1e-12);
   QCOMPARE(find<QComboBox>("pivot_box")->currentIndex(), 3);
   // Each choice that the keys went through is a step.
   while (model().history().undo_name() == "Set the pivot") {
     model().undo();
-    wait_for_edit();
+    settle();
   }
   QVERIFY(bone().pivot == centre);
   QVERIFY(model().motion() == told);
@@ -337,7 +243,7 @@ void MotionTest::pivotThatTakesTooLargeAShiftIsRefused() {
   QVERIFY(!model().is_working());
   QVERIFY(distance(pose(), before) == 0);
   QVERIFY(label("pivot_note").contains("30 mm"));
-  QVERIFY(std::abs(find<QDoubleSpinBox>("pivot_y_box")->value() - bone().pivot.y()) < 0.051);
+  QVERIFY(std::abs(box("pivot_y_box")->value() - bone().pivot.y()) < 0.051);
 }
 
 void MotionTest::hingeIsFoundAndTurnsAboutTheCondyles() {
@@ -354,10 +260,10 @@ void MotionTest::hingeIsFoundAndTurnsAboutTheCondyles() {
   const RigidMotion opened = with_hinge_angle({}, hinge, -4);
   QVERIFY(distance(model().response().poses[0], opened) < 1e-11);
   QVERIFY(model().response().poses[0](bone().pivot).z() < bone().pivot.z() - 2);
-  QCOMPARE(find<QDoubleSpinBox>("hinge_box")->value(), -4.0);
+  QCOMPARE(box("hinge_box")->value(), -4.0);
   // What is done besides leaves its number; nought takes the turn back.
   type("forward_box", "6");
-  QCOMPARE(find<QDoubleSpinBox>("hinge_box")->value(), -4.0);
+  QCOMPARE(box("hinge_box")->value(), -4.0);
   type("hinge_box", "0");
   QVERIFY(std::abs(model().motion().pitch_deg) < 1e-10);
   // About the hinge the same turn is pitch alone, of a head that is straight.
@@ -371,12 +277,12 @@ void MotionTest::hingeIsFoundAndTurnsAboutTheCondyles() {
 
 void MotionTest::hingeAxisCanBeTyped() {
   QTRY_VERIFY_WITH_TIMEOUT(find<MotionPanel>("motion_panel")->hinge().has_value(), patience);
-  QTest::mouseClick(find<QToolButton>("axis_button"), Qt::LeftButton);
+  click("axis_button");
   QVERIFY(find<QWidget>("axis_group")->isVisible());
   type("axis_right_x_box", "-52");
   type("axis_left_x_box", "48");
   type("axis_left_y_box", "-20");
-  QTest::mouseClick(find<QAbstractButton>("axis_use_button"), Qt::LeftButton);
+  click("axis_use_button");
   const HingeAxis hinge = *find<MotionPanel>("motion_panel")->hinge();
   QCOMPARE(hinge.right.x(), -52.0);
   QCOMPARE(hinge.left.x(), 48.0);
@@ -386,21 +292,21 @@ void MotionTest::hingeAxisCanBeTyped() {
   QVERIFY(distance(model().response().poses[0], with_hinge_angle({}, hinge, 5)) < 1e-11);
   // The wrong way round is refused.
   type("axis_left_x_box", "-60");
-  QTest::mouseClick(find<QAbstractButton>("axis_use_button"), Qt::LeftButton);
+  click("axis_use_button");
   QVERIFY(label("hinge_note").contains("left"));
   QVERIFY(*find<MotionPanel>("motion_panel")->hinge() == hinge);
-  QTest::mouseClick(find<QAbstractButton>("axis_find_button"), Qt::LeftButton);
-  QVERIFY(!find<QDoubleSpinBox>("hinge_box")->isEnabled());
-  QTRY_VERIFY_WITH_TIMEOUT(find<QDoubleSpinBox>("hinge_box")->isEnabled(), patience);
+  click("axis_find_button");
+  QVERIFY(!box("hinge_box")->isEnabled());
+  QTRY_VERIFY_WITH_TIMEOUT(box("hinge_box")->isEnabled(), patience);
   QVERIFY(label("hinge_note").contains("found"));
-  QTest::mouseClick(find<QToolButton>("axis_button"), Qt::LeftButton);
+  click("axis_button");
 }
 
 void MotionTest::hingeStopsAtTheLimits() {
   QTRY_VERIFY_WITH_TIMEOUT(find<MotionPanel>("motion_panel")->hinge().has_value(), patience);
   const HingeAxis hinge = *find<MotionPanel>("motion_panel")->hinge();
   type("hinge_box", "29");
-  const double reached = find<QDoubleSpinBox>("hinge_box")->value();
+  const double reached = box("hinge_box")->value();
   QVERIFY2(reached > 10 && reached < 29, qPrintable(QString::number(reached)));
   const RigidMotion moved = model().response().poses[0];
   QVERIFY(distance(moved, with_hinge_angle({}, hinge, hinge_angle(moved, hinge))) < 1e-9);
@@ -418,7 +324,7 @@ void MotionTest::ghostShowsWhereTheSegmentWas() {
   QVERIFY(differing_pixels(rest, view.picture()) < 20);
   check->click();
   model().set_motion({.forward_mm = 8});
-  QTRY_VERIFY_WITH_TIMEOUT(model().refinement() == Refinement::done, patience);
+  await_answer();
   const Picture with = view.picture();
   check->click();
   const Picture without = view.picture();
@@ -470,23 +376,13 @@ void MotionTest::collisionsAreSaidAndMarked() {
     if (marked.rgb[i] > 190 && marked.rgb[i + 1] < 40 && marked.rgb[i + 2] < 40) ++red;
   }
   QVERIFY2(red > 20, qPrintable(QString::number(red)));
-  QTest::mouseClick(find<QAbstractButton>("reset_button"), Qt::LeftButton);
+  click("reset_button");
   QTRY_VERIFY(watch.is_up_to_date());
   QCOMPARE(label("collision_label"), QString("No bone runs into other bone."));
 }
 
 void MotionTest::clickOnASegmentChoosesIt() {
-  open(changed_case("two.json", [](SurgicalCase& plan) {
-    BoxCut half = std::get<BoxCut>(plan.segments[0].cut);
-    const Vector3d centre = half.centre;
-    half.half_extents.x() = half.half_extents.x() / 2 - 0.25;
-    plan.segments.assign(2, {});
-    for (const std::size_t side : {0U, 1U}) {
-      half.centre.x() = centre.x() + (side == 0 ? 1 : -1) * (half.half_extents.x() + 0.25);
-      plan.segments[side].name = side == 0 ? "left half" : "right half";
-      plan.segments[side].cut = half;
-    }
-  }));
+  open(changed_case("two.json", cut_in_halves));
   const CollisionWatch& watch = find<MotionPanel>("motion_panel")->collision_watch();
   QTRY_VERIFY_WITH_TIMEOUT(watch.is_ready(), patience);
   QCOMPARE(model().active_segment(), std::size_t{0});
@@ -503,7 +399,7 @@ void MotionTest::clickOnASegmentChoosesIt() {
       if (std::abs(p.z() - at.z()) > 2 || std::abs(p.x()) > 26) continue;
       if (std::abs(p.x()) > std::abs(points(best, 0)) && p.y() < at.y() + 14) best = v;
     }
-    return pixel(points.row(best).transpose());
+    return pixel_of(points.row(best).transpose());
   };
   // Skin that hides the bone is no bone.
   QTest::mouseClick(canvas(), Qt::LeftButton, {}, on_segment(1));
@@ -511,47 +407,36 @@ void MotionTest::clickOnASegmentChoosesIt() {
   find<QSlider>("opacity_slider")->setValue(30);
   QTest::mouseClick(canvas(), Qt::LeftButton, {}, on_segment(1));
   QCOMPARE(model().active_segment(), std::size_t{1});
-  QCOMPARE(find<QComboBox>("segment_box")->currentText(), QString("right half"));
+  QCOMPARE(find<QComboBox>("segment_box")->currentText(), QString("right"));
   // Its own numbers; the halves collide when they are moved together.
   type("left_box", "2");
   QTRY_VERIFY(watch.is_up_to_date());
-  QVERIFY2(label("collision_label").contains("Left half and right half run"),
+  QVERIFY2(label("collision_label").contains("Left and right run"),
            qPrintable(label("collision_label")));
   QVERIFY(model().motions()[0] == JawMotion{});
   QTest::mouseClick(canvas(), Qt::LeftButton, {}, on_segment(0));
   QCOMPARE(model().active_segment(), std::size_t{0});
-  QCOMPARE(find<QDoubleSpinBox>("left_box")->value(), 0.0);
+  QCOMPARE(box("left_box")->value(), 0.0);
 }
 
 void MotionTest::stepThatIsLeftTakesItsMarksAlong() {
   auto* steps = find<QTabWidget>("steps");
   const int move = steps->currentIndex();
   look_from("left_action");
-  const QPoint ring = pixel(on_ring(0, 135));
+  const QPoint ring = pixel_of(on_ring(0, 135));
   steps->setCurrentIndex(steps->count() - 1);
   drag(ring, ring + QPoint(0, -8));
   QVERIFY(model().motion() == JawMotion{});
   steps->setCurrentIndex(move);
   look_from("left_action");
-  drag(ring, pixel(on_ring(0, 130)));
+  drag(ring, pixel_of(on_ring(0, 130)));
   QVERIFY(model().motion() != JawMotion{});
 }
 
 }  // namespace gnathion::test
 
 int main(int argc, char** argv) {
-  QCoreApplication::setApplicationName("gnathion");
-  const QTemporaryDir cache;
-  qputenv("XDG_CACHE_HOME", cache.path().toLocal8Bit());
-  qputenv("XDG_CONFIG_HOME", cache.path().toLocal8Bit());
-  qputenv("XDG_DATA_HOME", cache.path().toLocal8Bit());
-  const QString problem = gnathion::display_problem();
-  if (!problem.isEmpty()) qFatal("%s", qPrintable(problem));
-  gnathion::prepare_graphics();
-  QApplication app(argc, argv);
-  gnathion::use_c_numbers();
-  gnathion::test::MotionTest test;
-  return QTest::qExec(&test, argc, argv);
+  return gnathion::test::run<gnathion::test::MotionTest>(argc, argv);
 }
 
 #include "motion_test.moc"

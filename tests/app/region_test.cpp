@@ -1,41 +1,17 @@
-#include <QAction>
-#include <QApplication>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QElapsedTimer>
-#include <QLabel>
-#include <QOpenGLWidget>
-#include <QPainter>
 #include <QPushButton>
 #include <QSlider>
-#include <QTabWidget>
-#include <QTemporaryDir>
-#include <QTest>
-#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
-#include <vtkRenderWindowInteractor.h>
-#include <vtkRenderer.h>
-
-#include "app/display.h"
-#include "app/face_view.h"
-#include "app/main_window.h"
+#include "app/driven_window.h"
 #include "app/region_panel.h"
-#include "demo/demo_case.h"
 #include "geometry/triangle_mesh.h"
-#include "io/case_file.h"
 
 namespace gnathion::test {
-namespace {
-
-constexpr int patience = 60000;  // ms, for work beside the window
-
-}  // namespace
-
 /// The region of the demo case, painted with the mouse.
-class RegionTest : public QObject {
+class RegionTest : public QObject, private DrivenWindow {
   Q_OBJECT
 
  private slots:
@@ -64,59 +40,13 @@ class RegionTest : public QObject {
   void strokeStaysWithinAFrame();
 
  private:
-  template <typename T>
-  T* find(const char* name) const {
-    T* found = window_->findChild<T*>(name);
-    if (found == nullptr) qFatal("no widget %s", name);
-    return found;
-  }
-  CaseController& model() const { return window_->controller(); }
-  QOpenGLWidget* canvas() const { return find<QOpenGLWidget>("face_canvas"); }
   const RegionEditor& editor() const { return region_panel()->editor(); }
   RegionPanel* region_panel() const {
     auto* panel = window_->findChild<RegionPanel*>();
     if (panel == nullptr) qFatal("no region panel");
     return panel;
   }
-  void click(const char* button) const {
-    QTest::mouseClick(find<QAbstractButton>(button), Qt::LeftButton);
-  }
-  void type(const char* box, const QString& text) const {
-    auto* spin = find<QDoubleSpinBox>(box);
-    spin->setFocus();
-    spin->selectAll();
-    QTest::keyClicks(spin, text);
-    QTest::keyClick(spin, Qt::Key_Return);
-  }
-  void settle() const { QTRY_VERIFY_WITH_TIMEOUT(!model().is_working(), patience); }
-  void choose_step(const char* panel) const {
-    auto* steps = find<QTabWidget>("steps");
-    for (int i = 0; i < steps->count(); ++i) {
-      if (steps->widget(i)->objectName() == panel) steps->setCurrentIndex(i);
-    }
-  }
-  /// Where a point in space is on the canvas.
-  QPoint pixel_of(const Eigen::Vector3d& place) const {
-    vtkRenderer* renderer = window_->face_view().renderer();
-    renderer->SetWorldPoint(place.x(), place.y(), place.z(), 1);
-    renderer->WorldToDisplay();
-    const double* at = renderer->GetDisplayPoint();
-    const double ratio = canvas()->devicePixelRatioF();
-    return {static_cast<int>(at[0] / ratio),
-            canvas()->height() - 1 - static_cast<int>(at[1] / ratio)};
-  }
   QPoint landmark(const char* name) const { return pixel_of(model().plan().landmarks.at(name)); }
-  void move(QPoint at, Qt::KeyboardModifiers modifiers = {}) const {
-    // QTest::mouseMove tells no button; a user's mouse does.
-    QMouseEvent event(QEvent::MouseMove, at, canvas()->mapToGlobal(at), Qt::NoButton,
-                      Qt::LeftButton, modifiers);
-    QApplication::sendEvent(canvas(), &event);
-  }
-  void drag(QPoint from, QPoint to, int steps = 6, Qt::KeyboardModifiers modifiers = {}) const {
-    QTest::mousePress(canvas(), Qt::LeftButton, modifiers, from);
-    for (int step = 1; step <= steps; ++step) move(from + (to - from) * step / steps, modifiers);
-    QTest::mouseRelease(canvas(), Qt::LeftButton, modifiers, to);
-  }
   const std::vector<int>& vertices() const { return model().plan().region.vertices; }
   int vertex_at(const char* name) const {
     const Points& points = model().loaded().anatomy->face.mesh.surface.vertices;
@@ -128,50 +58,34 @@ class RegionTest : public QObject {
   bool has(const char* landmark_name) const {
     return editor().region()[static_cast<std::size_t>(vertex_at(landmark_name))];
   }
-  QString words() const { return find<QLabel>("state_label")->text(); }
-  void shoot(const char* name) const {
-    const QString folder = qEnvironmentVariable("GNATHION_SHOTS");
-    if (folder.isEmpty()) return;
-    QTest::qWait(200);
-    QPixmap picture = window_->grab();
-    QPainter painter(&picture);
-    painter.drawImage(canvas()->mapTo(window_.get(), QPoint()), canvas()->grabFramebuffer());
-    picture.save(folder + "/" + name + ".png");
-  }
+  QString words() const { return label("state_label"); }
 
-  QTemporaryDir folder_;
-  QString file_;
-  std::unique_ptr<MainWindow> window_;
+  SurgicalCase plain_;
 };
 
 void RegionTest::initTestCase() {
-  Progress progress;
-  const std::filesystem::path demo = folder_.filePath("demo").toStdString();
-  write_demo_case(1, demo, progress);
-  SurgicalCase plan = read_case_file(demo / "case.json");
-  plan.tissue.strain = Strain::small;  // large strain takes many seconds
-  plan.tissue.elements = Elements::linear;
-  plan.segments[0].motion = {};
-  write_case_file(plan, demo / "plain.json");
-  file_ = QString::fromStdString((demo / "plain.json").string());
-  window_ = std::make_unique<MainWindow>();
-  window_->resize(1280, 800);
-  window_->show();
-  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  make_demo();
+  const QString file = changed_case("plain.json", [](SurgicalCase& plan) {
+    plan.tissue.elements = Elements::linear;
+    plan.segments[0].motion = {};
+  });
+  start_window();
+  open(file);
+  QVERIFY(model().has_model());
+  plain_ = model().plan();
 }
 
 /// Every test begins with the case as it is in the file, the brush in the hand.
 void RegionTest::init() {
-  QApplication::setActiveWindow(window_.get());
+  activate();
   choose_step("motion_page");
-  window_->open_case(file_);
+  if (model().plan() != plain_) model().edit("As in the file", plain_);
   settle();
   QVERIFY(model().has_model());
   choose_step("RegionPanel");
-  find<QAction>("front_action")->trigger();
+  look_from("front_action");
   click("paint_button");
   type("radius_box", "8");
-  QTest::qWait(100);
 }
 
 void RegionTest::cleanupTestCase() {
@@ -206,11 +120,11 @@ void RegionTest::strokePaintsAndUndoRestores() {
   std::vector<int> meshed = model().loaded().model->problem().face_vertices;
   QVERIFY(std::binary_search(meshed.begin(), meshed.end(), vertex_at("nose_tip")));
   shoot("painted");
-  find<QAction>("undo_action")->trigger();
+  trigger("undo_action");
   settle();
   QVERIFY(model().plan() == plan);
   QVERIFY(editor().region() == before);
-  find<QAction>("redo_action")->trigger();
+  trigger("redo_action");
   settle();
   QVERIFY(has("nose_tip"));
 }
@@ -225,7 +139,7 @@ void RegionTest::strokesFollowEachOtherWhileTheModelIsMade() {
   settle();
   QCOMPARE(model().loaded().plan.region.vertices, vertices());
   // Also a stroke in the middle of which the model of the last one arrives.
-  find<QAction>("undo_action")->trigger();
+  trigger("undo_action");
   QTest::mousePress(canvas(), Qt::LeftButton, {}, landmark("nose_tip"));
   settle();
   QVERIFY(editor().is_stroke());
@@ -240,7 +154,7 @@ void RegionTest::strokesFollowEachOtherWhileTheModelIsMade() {
 void RegionTest::fastStrokeHasNoGaps() {
   type("radius_box", "4");
   const QPoint from = landmark("mouth_corner_left"), to = from - QPoint(0, 130);
-  drag(from, to, 1);  // one move of the mouse, 130 pixels
+  drag(from, to, {.steps = 1});  // one move of the mouse, 130 pixels
   settle();
   QVERIFY2(editor().faults().empty(), qPrintable(words()));
   QVERIFY(model().has_model());
@@ -249,12 +163,14 @@ void RegionTest::fastStrokeHasNoGaps() {
 void RegionTest::eraseAndShiftTakeAway() {
   click("erase_button");
   QVERIFY(has("pogonion_soft"));
-  drag(landmark("pogonion_soft"), landmark("pogonion_soft") + QPoint(5, 0), 2);
+  drag(landmark("pogonion_soft"), landmark("pogonion_soft") + QPoint(5, 0), {.steps = 2});
   QVERIFY(!has("pogonion_soft"));
-  drag(landmark("pogonion_soft"), landmark("pogonion_soft") + QPoint(5, 0), 2, Qt::ShiftModifier);
+  drag(landmark("pogonion_soft"), landmark("pogonion_soft") + QPoint(5, 0),
+       {.keys = Qt::ShiftModifier, .steps = 2});
   QVERIFY(has("pogonion_soft"));
   click("paint_button");
-  drag(landmark("pogonion_soft"), landmark("pogonion_soft") + QPoint(5, 0), 2, Qt::ShiftModifier);
+  drag(landmark("pogonion_soft"), landmark("pogonion_soft") + QPoint(5, 0),
+       {.keys = Qt::ShiftModifier, .steps = 2});
   QVERIFY(!has("pogonion_soft"));
   QCOMPARE(QString::fromStdString(model().history().undo_name()), QString("Erase from the region"));
   settle();
@@ -262,39 +178,36 @@ void RegionTest::eraseAndShiftTakeAway() {
 
 void RegionTest::pressBesideTheFaceTurnsTheView() {
   const Selection before = editor().region();
-  const Eigen::Vector3d eye = window_->face_view().view_point({5, 5}).eye;
+  const Eigen::Vector3d eye = view().view_point({5, 5}).eye;
   drag({10, canvas()->height() / 2}, {90, canvas()->height() / 2});
-  QVERIFY(!window_->face_view().view_point({5, 5}).eye.isApprox(eye, 1e-3));
+  QVERIFY(!view().view_point({5, 5}).eye.isApprox(eye, 1e-3));
   QVERIFY(editor().region() == before);
   QVERIFY(vertices().empty());
   click("turn_button");
-  QVERIFY(window_->face_view().tool() == nullptr);
+  QVERIFY(view().tool() == nullptr);
 }
 
 void RegionTest::radiusByBoxWheelAndKeys() {
-  auto* box = find<QDoubleSpinBox>("radius_box");
-  QCOMPARE(box->value(), 8.0);
-  const QPoint at = landmark("pogonion_soft");
-  QWheelEvent wheel(at, canvas()->mapToGlobal(at), {}, {0, 120}, Qt::NoButton, Qt::ControlModifier,
-                    Qt::NoScrollPhase, false);
-  QApplication::sendEvent(canvas(), &wheel);
-  QVERIFY(std::abs(box->value() - 8.8) < 0.06);
+  const QDoubleSpinBox* radius = box("radius_box");
+  QCOMPARE(radius->value(), 8.0);
+  wheel(canvas(), landmark("pogonion_soft"), 1, Qt::ControlModifier);
+  QVERIFY(std::abs(radius->value() - 8.8) < 0.06);
   canvas()->setFocus();
   QTest::keyClick(canvas(), Qt::Key_BracketRight);
-  QCOMPARE(box->value(), 10.0);
+  QCOMPARE(radius->value(), 10.0);
   QTest::keyClick(canvas(), Qt::Key_BracketLeft);
   QTest::keyClick(canvas(), Qt::Key_BracketLeft);
-  QCOMPARE(box->value(), 8.0);
+  QCOMPARE(radius->value(), 8.0);
   QCOMPARE(find<QSlider>("radius_slider")->value(), 8);
   type("radius_box", "99");
-  QVERIFY(box->value() <= 40);
+  QVERIFY(radius->value() <= 40);
   // A larger brush paints more.
   find<QSlider>("radius_slider")->setValue(3);
-  drag(landmark("nose_tip"), landmark("nose_tip"), 1);
+  drag(landmark("nose_tip"), landmark("nose_tip"), {.steps = 1});
   const std::size_t little = vertices().size();
-  find<QAction>("undo_action")->trigger();
+  trigger("undo_action");
   find<QSlider>("radius_slider")->setValue(15);
-  drag(landmark("nose_tip"), landmark("nose_tip"), 1);
+  drag(landmark("nose_tip"), landmark("nose_tip"), {.steps = 1});
   QVERIFY(vertices().size() > little + 50);
 }
 
@@ -324,7 +237,7 @@ void RegionTest::growShrinkAndSmoothAreSteps() {
   settle();
   QVERIFY(model().has_model());
   QCOMPARE(QString::fromStdString(model().history().undo_name()), QString("Smooth the region"));
-  for (int i = 0; i < 3; ++i) find<QAction>("undo_action")->trigger();
+  for (int i = 0; i < 3; ++i) trigger("undo_action");
   settle();
   QVERIFY(vertices().empty());
   QCOMPARE(editor().outline().area_mm2, area);
@@ -361,7 +274,7 @@ void RegionTest::clearLeavesNothingAndSuggestBringsBack() {
   QVERIFY(model().has_model());
   QCOMPARE(model().plan().region.reach_mm, 25.0);
   QVERIFY(has("pogonion_soft"));
-  find<QAction>("undo_action")->trigger();
+  trigger("undo_action");
   settle();
   QVERIFY(model().plan().region.erased);
   QCOMPARE(editor().outline().triangles.rows(), 0L);
@@ -369,7 +282,7 @@ void RegionTest::clearLeavesNothingAndSuggestBringsBack() {
 
 void RegionTest::twoPiecesKeepTheCaseAndSayWhy() {
   type("radius_box", "5");
-  drag(landmark("nose_tip"), landmark("nose_tip"), 1);
+  drag(landmark("nose_tip"), landmark("nose_tip"), {.steps = 1});
   settle();
   QVERIFY(model().has_case());
   QVERIFY(!model().has_model());
@@ -393,7 +306,7 @@ void RegionTest::slidingTissueIsPainted() {
   settle();
   QVERIFY(model().loaded().model->problem().sliding_count > sliding + 5);
   shoot("sliding");
-  find<QAction>("undo_action")->trigger();
+  trigger("undo_action");
   settle();
   QVERIFY(model().plan().tissue.sliding_vertices.empty());
   QCOMPARE(model().loaded().model->problem().sliding_count, sliding);
@@ -401,13 +314,13 @@ void RegionTest::slidingTissueIsPainted() {
 
 void RegionTest::readoutsAreTheModels() {
   const TissueProblem& problem = model().loaded().model->problem();
-  QCOMPARE(find<QLabel>("attached_value")->text(), QLocale().toString(problem.attached_count));
-  QCOMPARE(find<QLabel>("sliding_value")->text(), QLocale().toString(problem.sliding_count));
-  QCOMPARE(find<QLabel>("rim_value")->text(),
+  QCOMPARE(label("attached_value"), QLocale().toString(problem.attached_count));
+  QCOMPARE(label("sliding_value"), QLocale().toString(problem.sliding_count));
+  QCOMPARE(label("rim_value"),
            QString("%1 mm").arg(QLocale().toString(problem.rim_to_segment, 'f', 0)));
   const double area =
       surface_area({editor().brush().face().vertices, editor().outline().triangles});
-  QCOMPARE(find<QLabel>("area_value")->text(),
+  QCOMPARE(label("area_value"),
            QString("%1 cm², %2 triangles")
                .arg(QLocale().toString(area / 100, 'f', 1),
                     QLocale().toString(static_cast<int>(editor().outline().triangles.rows()))));
@@ -447,7 +360,7 @@ void RegionTest::lipLineIsTracedWithClicksAsOneStep() {
   QVERIFY(model().has_model());
   QVERIFY(model().loaded().model->problem().slit.size() > 8);
   shoot("lips-cut");
-  find<QAction>("undo_action")->trigger();
+  trigger("undo_action");
   settle();
   QVERIFY(model().plan().region.lip_line.empty());
   QVERIFY(model().loaded().model->problem().slit.empty());
@@ -463,7 +376,7 @@ void RegionTest::lipLineIsProposedAndRemoved() {
   QVERIFY((line.front() - model().plan().landmarks.at("mouth_corner_right")).norm() < 2);
   settle();
   QVERIFY(model().loaded().model->problem().slit.size() > 8);
-  QVERIFY(find<QLabel>("lips_label")->text().contains("Cut open"));
+  QVERIFY(label("lips_label").contains("Cut open"));
   shoot("lips-proposed");
   QVERIFY(find<QPushButton>("remove_lips_button")->isEnabled());
   click("remove_lips_button");
@@ -484,16 +397,16 @@ void RegionTest::leavingTheStepDropsTheLipLine() {
 }
 
 void RegionTest::leavingTheStepTakesTheBrushAway() {
-  QVERIFY(window_->face_view().tool() != nullptr);
+  QVERIFY(view().tool() != nullptr);
   const QImage shown = canvas()->grabFramebuffer();
   choose_step("motion_page");
-  QVERIFY(window_->face_view().tool() == nullptr);
+  QVERIFY(view().tool() == nullptr);
   const Selection before = editor().region();
   drag(landmark("nose_tip"), landmark("nose_tip") + QPoint(0, 20));
   QVERIFY(editor().region() == before);
   QVERIFY(vertices().empty());
   choose_step("RegionPanel");
-  QVERIFY(window_->face_view().tool() != nullptr);
+  QVERIFY(view().tool() != nullptr);
 }
 
 /// What a stroke costs a frame is printed; it must not block the window.
@@ -508,7 +421,7 @@ void RegionTest::strokeStaysWithinAFrame() {
     move(from + QPoint(2 * i, -i));
     paint += static_cast<double>(timer.nsecsElapsed()) / 1e6;
     timer.restart();
-    window_->face_view().interactor()->Render();
+    view().interactor()->Render();
     canvas()->grabFramebuffer();
     draw += static_cast<double>(timer.nsecsElapsed()) / 1e6;
   }
@@ -522,14 +435,7 @@ void RegionTest::strokeStaysWithinAFrame() {
 }  // namespace gnathion::test
 
 int main(int argc, char** argv) {
-  QCoreApplication::setApplicationName("gnathion");
-  const QString problem = gnathion::display_problem();
-  if (!problem.isEmpty()) qFatal("%s", qPrintable(problem));
-  gnathion::prepare_graphics();
-  QApplication app(argc, argv);
-  gnathion::use_c_numbers();
-  gnathion::test::RegionTest test;
-  return QTest::qExec(&test, argc, argv);
+  return gnathion::test::run<gnathion::test::RegionTest>(argc, argv);
 }
 
 #include "region_test.moc"

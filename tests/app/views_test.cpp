@@ -1,31 +1,15 @@
-#include <QAction>
-#include <QApplication>
 #include <QComboBox>
 #include <QElapsedTimer>
-#include <QMouseEvent>
-#include <QOpenGLWidget>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QToolButton>
-#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
-#include <vtkCamera.h>
-#include <vtkRenderer.h>
-
-#include "app/display.h"
-#include "app/face_view.h"
-#include "app/main_window.h"
+#include "app/driven_window.h"
 #include "app/slice_view.h"
 #include "app/view_grid.h"
-#include "demo/demo_case.h"
 
 namespace gnathion::test {
 namespace {
-
-constexpr int patience = 60000;  // ms, for work beside the window
 
 bool is_orange(const QColor& colour) {
   return colour.red() > 200 && colour.green() > 80 && colour.green() < 150 && colour.blue() < 90;
@@ -41,28 +25,9 @@ int count_pixels(const QImage& image, Accept accept) {
   return count;
 }
 
-void wheel(QWidget* widget, QPoint at, int notches, Qt::KeyboardModifiers modifiers = {}) {
-  QWheelEvent event(at, widget->mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, modifiers,
-                    Qt::NoScrollPhase, false);
-  QApplication::sendEvent(widget, &event);
-}
-
-/// A drag by steps, as a user's mouse does it.
-void drag(QWidget* widget, Qt::MouseButton button, QPoint from, QPoint to,
-          Qt::KeyboardModifiers modifiers = {}) {
-  QTest::mousePress(widget, button, modifiers, from);
-  for (int step = 1; step <= 5; ++step) {
-    const QPoint at = from + (to - from) * step / 5;
-    QMouseEvent move(QEvent::MouseMove, at, widget->mapToGlobal(at), Qt::NoButton, button,
-                     modifiers);
-    QApplication::sendEvent(widget, &move);
-  }
-  QTest::mouseRelease(widget, button, modifiers, to);
-}
-
 }  // namespace
 
-class ViewsTest : public QObject {
+class ViewsTest : public QObject, private DrivenWindow {
   Q_OBJECT
 
  private slots:
@@ -91,45 +56,28 @@ class ViewsTest : public QObject {
   void stepIsQuick();
 
  private:
-  template <typename T>
-  T* find(const char* name) const {
-    T* found = window_->findChild<T*>(name);
-    if (found == nullptr) qFatal("no widget %s", name);
-    return found;
-  }
   ViewGrid& grid() const { return *find<ViewGrid>("view_grid"); }
   SliceView* axial() const { return find<SliceView>("axial_view"); }
   SliceView* coronal() const { return find<SliceView>("coronal_view"); }
   SliceView* sagittal() const { return find<SliceView>("sagittal_view"); }
-  QOpenGLWidget* canvas() const { return find<QOpenGLWidget>("face_canvas"); }
-  CaseController& model() const { return window_->controller(); }
   const CtVolume& ct() const { return *model().loaded().anatomy->ct; }
   SliceLattice lattice() const { return slice_lattice(ct()); }
-  vtkCamera* camera() const { return window_->face_view().renderer()->GetActiveCamera(); }
-  void trigger(const char* action) const { find<QAction>(action)->trigger(); }
   /// The middle of the CT, where there is bone and air around.
   void centre() const {
     const SliceLattice all = lattice();
     grid().set_crosshair((all.origin + all.last()) / 2);
   }
-
-  QTemporaryDir folder_;
-  std::unique_ptr<MainWindow> window_;
 };
 
 void ViewsTest::initTestCase() {
-  const QString demo = folder_.filePath("demo");
-  Progress progress;
-  write_demo_case(1, demo.toStdString(), progress);
-  window_ = std::make_unique<MainWindow>();
-  window_->show();
-  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-  window_->open_case(demo + "/case.json");
-  QTRY_VERIFY_WITH_TIMEOUT(model().has_case() && !model().is_working(), patience);
+  make_demo();
+  start_window();
+  open(demo_ + "/case.json");
+  QVERIFY(model().has_case());
 }
 
 void ViewsTest::init() {
-  QApplication::setActiveWindow(window_.get());
+  activate();
   grid().maximise(nullptr);
   grid().set_slices_visible(true);
   grid().fit_slices();
@@ -194,7 +142,7 @@ void ViewsTest::clickMovesTheCrosshairInAllViews() {
   // By dragging likewise.
   const QPoint to = coronal()->rect().center() + QPoint(-25, 30);
   const Eigen::Vector3d dragged_to = coronal()->lps_at(to);
-  drag(coronal(), Qt::LeftButton, coronal()->rect().center(), to);
+  drag(coronal()->rect().center(), to, {.over = coronal()});
   const Eigen::Vector3d off = grid().crosshair() - dragged_to;
   QVERIFY((off.array().abs() <= lattice().step.array() / 2 + 1e-9).all());
   QVERIFY(grid().crosshair().z() < before.z());  // down
@@ -254,7 +202,7 @@ void ViewsTest::rightDragChangesTheWindow() {
   const QImage before = axial()->grab().toImage();
   const QPoint middle = axial()->rect().center();
   const Eigen::Vector3d crosshair = grid().crosshair();
-  drag(axial(), Qt::RightButton, middle, middle + QPoint(60, -30));
+  drag(middle, middle + QPoint(60, -30), {.button = Qt::RightButton, .over = axial()});
   QVERIFY(std::abs(grid().hu_window().width - 2500 * std::sqrt(2)) < 1);
   QVERIFY(std::abs(grid().hu_window().level - 750) < 1);
   QVERIFY(grid().crosshair() == crosshair);
@@ -263,7 +211,7 @@ void ViewsTest::rightDragChangesTheWindow() {
   QVERIFY(box->currentText().contains("750"));
   QVERIFY(axial()->grab().toImage() != before);
   // The same with Ctrl and the left button; then all is as before.
-  drag(sagittal(), Qt::LeftButton, {60, 60}, {0, 60}, Qt::ControlModifier);
+  drag({60, 60}, {0, 60}, {.keys = Qt::ControlModifier, .over = sagittal()});
   QVERIFY(std::abs(grid().hu_window().width - 2500) < 1);
   QVERIFY(grid().crosshair() == crosshair);
 }
@@ -298,7 +246,7 @@ void ViewsTest::middleButtonShiftsAndControlWheelZooms() {
   const QPoint middle = view->rect().center();
   const Eigen::Vector3d crosshair = grid().crosshair();
   const Eigen::Vector3d grabbed = view->lps_at(middle);
-  drag(view, Qt::MiddleButton, middle, middle + QPoint(20, 15));
+  drag(middle, middle + QPoint(20, 15), {.button = Qt::MiddleButton, .over = view});
   const QPointF off = view->pixel_of(grabbed) - (middle + QPoint(20, 15));
   QVERIFY(std::hypot(off.x(), off.y()) < 1e-6);
   const QPoint about(40, 50);
@@ -430,7 +378,7 @@ void ViewsTest::outlinesCanBeSwitchedOff() {
 }
 
 void ViewsTest::crosshairIsMarkedInThe3dView() {
-  FaceView& view = window_->face_view();
+  FaceView& view = this->view();
   view.look_from(CameraPreset::front);
   const auto green_column = [&] {
     const Picture picture = view.picture();
@@ -466,16 +414,16 @@ void ViewsTest::mouseMovesThe3dCamera() {
   QVERIFY(camera()->GetDistance() < distance - 1);
   wheel(canvas(), from, -1);
   QVERIFY(std::abs(camera()->GetDistance() - distance) < 1e-6);
-  drag(canvas(), Qt::LeftButton, from, from + QPoint(30, 0));
+  drag(from, from + QPoint(30, 0));
   QVERIFY(std::abs(camera()->GetDistance() - distance) < 1e-6);
   QVERIFY((eye - Eigen::Vector3d(camera()->GetPosition())).norm() > 10);
   QVERIFY((focus - Eigen::Vector3d(camera()->GetFocalPoint())).norm() < 1e-9);
   trigger("front_action");
-  drag(canvas(), Qt::MiddleButton, from, from + QPoint(30, 0));
+  drag(from, from + QPoint(30, 0), {.button = Qt::MiddleButton});
   const Eigen::Vector3d shifted(camera()->GetFocalPoint());
   QVERIFY(shifted.x() < focus.x() - 5);  // the head goes with the mouse
   trigger("front_action");
-  drag(canvas(), Qt::RightButton, from, from + QPoint(0, -40));
+  drag(from, from + QPoint(0, -40), {.button = Qt::RightButton});
   QVERIFY(camera()->GetDistance() < distance - 5);
   trigger("reset_view_action");
   QVERIFY(camera()->GetPosition()[0] > 50);  // turned to the patient's left
@@ -524,14 +472,7 @@ void ViewsTest::stepIsQuick() {
 }  // namespace gnathion::test
 
 int main(int argc, char** argv) {
-  QCoreApplication::setApplicationName("gnathion");
-  const QString problem = gnathion::display_problem();
-  if (!problem.isEmpty()) qFatal("%s", qPrintable(problem));
-  gnathion::prepare_graphics();
-  QApplication app(argc, argv);
-  gnathion::use_c_numbers();
-  gnathion::test::ViewsTest test;
-  return QTest::qExec(&test, argc, argv);
+  return gnathion::test::run<gnathion::test::ViewsTest>(argc, argv);
 }
 
 #include "views_test.moc"

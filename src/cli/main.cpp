@@ -70,6 +70,18 @@ int main(int argc, char** argv) {
   place->add_option("--landmarks", choices.landmarks, "a file of pairs to begin from and judge by");
   place->add_option("--stable", choices.stable, "a file of the vertices that decide");
   place->add_flag("--accept-doubts", choices.accept_doubts, "take a doubtful registration");
+  PhotographsChoices photographs;
+  CLI::App* project =
+      verb("photographs", "paint the CT's skin with ordinary photographs", "CASE", true);
+  project->add_option("--photo", photographs.photos, "PICTURE=LANDMARKS.json, once for each")
+      ->required()
+      ->allow_extra_args(false);
+  project->add_option("--landmarks", photographs.landmarks, "a JSON file with places on the skin");
+  project->add_option("--mm-per-pixel", photographs.mm_per_pixel, "of the picture, 0.05 to 5")
+      ->check(CLI::Range(0.05, 5.0));
+  project
+      ->add_option("--inpaint-mm", photographs.inpaint_mm, "made up beside what is seen, 0 to 100")
+      ->check(CLI::Range(0.0, 100.0));
   std::string format = "obj";
   ScanRepairChoices repairs;
   CLI::App* scan = verb("scan", "look at a face scan; convert or repair it", "FILE", false);
@@ -111,6 +123,7 @@ int main(int argc, char** argv) {
           output.empty() ? std::nullopt : std::optional<std::filesystem::path>(output);
       scan_verb(input, target, format, repairs, std::cout, progress);
     }
+    if (name == "photographs") photographs_verb(input, output, photographs, std::cout, progress);
     if (name == "register") register_verb(input, output, choices, std::cout, progress);
     if (name == "settle") {
       settle_verb(input, output, settling, !no_pictures, std::cout, progress);

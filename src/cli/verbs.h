@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <optional>
 #include <ostream>
+#include <string>
+#include <vector>
 
 #include "base/progress.h"
 #include "prediction/settling.h"
@@ -65,6 +67,18 @@ struct RegisterChoices {
 /// registration.json, how well it fits. A doubtful one is an error unless doubts are accepted.
 void register_verb(const std::filesystem::path& case_file, const std::filesystem::path& target,
                    const RegisterChoices& choices, std::ostream& out, Progress& progress);
+
+/// Ordinary photographs for the skin.
+struct PhotographsChoices {
+  std::vector<std::string> photos;  ///< PICTURE=LANDMARKS.json each, the first from the front
+  std::optional<std::filesystem::path> landmarks;  ///< of the skin, beside those of the case
+  std::optional<double> mm_per_pixel, inpaint_mm;
+};
+
+/// Paints the CT's skin with ordinary photographs: photograph.obj with its MTL and picture,
+/// projection.json, and case.json, whose photograph that is.
+void photographs_verb(const std::filesystem::path& case_file, const std::filesystem::path& target,
+                      const PhotographsChoices& choices, std::ostream& out, Progress& progress);
 
 /// Repairs of a scan, each asked for by name; lengths in the scan's unit.
 struct ScanRepairChoices {

@@ -244,6 +244,14 @@ Eigen::Vector3d JsonReader::required_vector(const std::string& key) {
   return value;
 }
 
+Eigen::Vector2d JsonReader::required_pixel(const std::string& key) {
+  const json* found = implementation_->find(key);
+  const bool good = found != nullptr && found->is_array() && found->size() == 2 &&
+                    (*found)[0].is_number() && (*found)[1].is_number();
+  if (!good) refuse(key, "it is not two numbers", "give [x, y] in pixels, right and down");
+  return {(*found)[0].get<double>(), (*found)[1].get<double>()};
+}
+
 std::vector<std::string> JsonReader::keys() const {
   std::vector<std::string> names;
   for (const auto& [key, value] : implementation_->value->items()) names.push_back(key);

@@ -39,6 +39,7 @@ class JsonReader {
   void read(const std::string& key, std::vector<Eigen::Vector3d>& value);
   std::string required_string(const std::string& key);
   Eigen::Vector3d required_vector(const std::string& key);
+  Eigen::Vector2d required_pixel(const std::string& key);  ///< right and down
   std::vector<std::string> keys() const;
 
   /// Throws naming the first key that nobody asked for.

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/case_controller.h"
+#include "app/file_dialogs.h"
 
 namespace gnathion {
 namespace {
@@ -37,10 +38,7 @@ void CaseSaver::save() {
 }
 
 void CaseSaver::save_as() {
-  auto* dialog = new QFileDialog(&window_, tr("Save the case"));
-  dialog->setObjectName("save_dialog");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setOption(QFileDialog::DontUseNativeDialog);
+  QFileDialog* dialog = new_file_dialog(&window_, "save_dialog", tr("Save the case"));
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setNameFilter(tr("Case files (*.json)"));
   dialog->setDefaultSuffix("gnathion.json");

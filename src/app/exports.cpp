@@ -1,6 +1,5 @@
 #include "app/exports.h"
 
-#include <QDir>
 #include <QFile>
 #include <QFileDialog>
 #include <QProgressDialog>
@@ -10,6 +9,7 @@
 #include "app/answer_words.h"
 #include "app/case_controller.h"
 #include "app/face_view.h"
+#include "app/file_dialogs.h"
 #include "app/turntable_dialog.h"
 #include "io/files.h"
 #include "io/mesh_files.h"
@@ -95,17 +95,8 @@ void Exports::end() {
 }
 
 void Exports::ask_bones() {
-  auto* dialog = new QFileDialog(window_, tr("Export the bones into a new folder"));
-  dialog->setObjectName("bones_dialog");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setOption(QFileDialog::DontUseNativeDialog);
-  dialog->setOption(QFileDialog::DontConfirmOverwrite);  // nothing is ever overwritten
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setFileMode(QFileDialog::AnyFile);
-  dialog->setLabelText(QFileDialog::FileName, tr("New folder:"));
-  dialog->setLabelText(QFileDialog::Accept, tr("Export"));
-  dialog->setDirectory(QDir::homePath());
-  dialog->selectFile("planned_bones");
+  QFileDialog* dialog = new_folder_dialog(
+      window_, "bones_dialog", tr("Export the bones into a new folder"), "planned_bones");
   connect(dialog, &QFileDialog::fileSelected, this,
           [this](const QString& folder) { save_bones(QFile::encodeName(folder).toStdString()); });
   dialog->open();
@@ -135,8 +126,10 @@ void Exports::ask_turntable() {
 void Exports::save_turntable(const TurntableWish& wish) {
   if (is_running()) return;
   TurntableWish seen = wish;
-  seen.with_bone = view_.scene().is_bone_visible("skull");
-  seen.textured = view_.scene().is_face_textured();
+  const FaceScene& scene = view_.scene();
+  seen.bones = scene.bone_names();
+  std::erase_if(seen.bones, [&](const std::string& bone) { return !scene.is_bone_visible(bone); });
+  seen.textured = scene.is_face_textured();
   begin(tr("Drawing the turning face"), wish.pictures);
   const QString words = predicted_words(controller_) + "\n" + answer_words(controller_, {}).caption;
   turntable_.start(controller_.shared_case(), controller_.response(), words, seen);

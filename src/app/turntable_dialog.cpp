@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <QPushButton>
 
+#include "app/file_dialogs.h"
 #include "ui_turntable_dialog.h"
 
 namespace gnathion {
@@ -49,13 +50,8 @@ void TurntableDialog::suggest_target() {
 }
 
 void TurntableDialog::browse() {
-  auto* dialog = new QFileDialog(this, tr("Export the turning face"));
-  dialog->setObjectName("turntable_file_dialog");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setOption(QFileDialog::DontUseNativeDialog);
-  dialog->setOption(QFileDialog::DontConfirmOverwrite);  // nothing is ever overwritten
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setFileMode(QFileDialog::AnyFile);
+  QFileDialog* dialog =
+      new_target_dialog(this, "turntable_file_dialog", tr("Export the turning face"));
   if (ui_->form_box->currentIndex() == 0) {
     dialog->setNameFilter(tr("Films (*.avi)"));
     dialog->setDefaultSuffix("avi");

@@ -1,6 +1,7 @@
 #include "app/turntable_export.h"
 
 #include <QFile>
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "io/files.h"
 #include "render/face_scene.h"
 #include "render/movie_file.h"
+#include "render/segment_colours.h"
 #include "render/turntable.h"
 
 namespace gnathion {
@@ -28,11 +30,14 @@ std::unique_ptr<FaceScene> scene_of(const LoadedCase& loaded, const Points& face
                   anatomy.face.document.vertex_colours());
   scene->set_face_points(face);
   scene->set_face_textured(wish.textured);
-  if (!wish.with_bone) return scene;
-  scene->set_bone("skull", anatomy.remainder, skull_look);
+  const auto is_shown = [&wish](const std::string& bone) {
+    return std::find(wish.bones.begin(), wish.bones.end(), bone) != wish.bones.end();
+  };
+  if (is_shown("skull")) scene->set_bone("skull", anatomy.remainder, skull_look);
   for (std::size_t s = 0; s < anatomy.segments.size(); ++s) {
     const std::string name = "segment " + anatomy.segments[s].name;
-    scene->set_bone(name, anatomy.segments[s].mesh, segment_look);
+    if (!is_shown(name)) continue;
+    scene->set_bone(name, anatomy.segments[s].mesh, look_of_segment(s));
     scene->set_bone_pose(name, poses[s]);
   }
   return scene;

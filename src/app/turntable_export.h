@@ -4,6 +4,8 @@
 #include <QTimer>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "app/case_controller.h"
 
@@ -15,11 +17,11 @@ struct TurntableWish {
   enum class Show { predicted, before_and_predicted };
   Show show = Show::before_and_predicted;
   Form form = Form::film;
-  int pictures = 96;             ///< of the whole turn
-  int side = 720;                ///< pixels of a face's picture, each way; even
-  bool with_bone = true;         ///< skull and segments behind and below the face
-  bool textured = true;          ///< the photograph on the face
-  std::filesystem::path target;  ///< a file (.avi) or a folder, not there yet
+  int pictures = 96;               ///< of the whole turn
+  int side = 720;                  ///< pixels of a face's picture, each way; even
+  std::vector<std::string> bones;  ///< of the view's scene that are shown behind the face
+  bool textured = true;            ///< the photograph on the face
+  std::filesystem::path target;    ///< a file (.avi) or a folder, not there yet
 };
 inline constexpr int turntable_rate = 24;  ///< pictures a second
 

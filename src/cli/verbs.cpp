@@ -18,6 +18,7 @@
 #include "offscreen/comparison_pictures.h"
 #include "prediction/report.h"
 #include "render/face_scene.h"
+#include "render/segment_colours.h"
 
 namespace gnathion {
 namespace {
@@ -71,7 +72,7 @@ void show(const Anatomy& anatomy, const std::vector<RigidMotion>& motions, FaceS
   scene.set_bone("skull", anatomy.remainder, skull_look);
   for (std::size_t s = 0; s < anatomy.segments.size(); ++s) {
     const std::string name = "segment " + anatomy.segments[s].name;
-    scene.set_bone(name, anatomy.segments[s].mesh, segment_look);
+    scene.set_bone(name, anatomy.segments[s].mesh, look_of_segment(s));
     scene.set_bone_pose(name, motions[s]);
   }
 }

@@ -4,6 +4,8 @@
 #include <QtConcurrent>
 #include <utility>
 
+#include "app/core_words.h"
+
 namespace gnathion {
 
 struct BackgroundTask::Run {
@@ -13,8 +15,7 @@ struct BackgroundTask::Run {
 };
 
 Failure failure_of(const Error& error) {
-  return {QString::fromStdString(error.subject()), QString::fromStdString(error.problem()),
-          QString::fromStdString(error.remedy())};
+  return {core_words(error.subject()), core_words(error.problem()), core_words(error.remedy())};
 }
 
 Failure failure_of(const std::exception& error) {
@@ -46,11 +47,11 @@ void BackgroundTask::start(Work work) {
   run_ = std::make_shared<Run>(
       [this, self](const std::string& stage) {
         const auto run = self->lock();
-        post(run, [this, stage] { emit stage_began(QString::fromStdString(stage)); });
+        post(run, [this, stage] { emit stage_began(core_words(stage)); });
       },
       [this, self](const std::string& notice) {
         const auto run = self->lock();
-        post(run, [this, notice] { emit noticed(QString::fromStdString(notice)); });
+        post(run, [this, notice] { emit noticed(core_words(notice)); });
       });
   *self = run_;
   QtConcurrent::run(&pool_, [this, run = run_, work = std::move(work)] { execute(run, work); });

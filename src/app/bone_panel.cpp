@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "app/case_controller.h"
+#include "app/core_words.h"
 #include "app/face_view.h"
 #include "bone/cut_box.h"
 #include "render/segment_colours.h"
@@ -42,7 +43,7 @@ QString cm3(double mm3) {
 }
 
 QString sentence(const std::string& text) {
-  QString words = QString::fromStdString(text);
+  QString words = core_words(text);
   if (!words.isEmpty()) words[0] = words[0].toUpper();
   return words.toHtmlEscaped();
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/camera_mouse.h"
+#include "app/core_words.h"
 #include "app/face_view.h"
 #include "bone/cut_box.h"
 #include "render/coarse_surface.h"
@@ -163,7 +164,7 @@ void CutEditor::close() {
 }
 
 QString CutEditor::free_name(const std::string& wanted) const {
-  const QString base = QString::fromStdString(wanted);
+  const QString base = core_words(wanted);
   QString name = base;
   for (int number = 2;; ++number) {
     const auto& segments = controller_.loaded().plan.segments;

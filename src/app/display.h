@@ -16,7 +16,8 @@ void prepare_graphics();
 QString graphics_problem();
 
 /// Decimal points everywhere: in what the window shows and takes, and in what the C library reads
-/// and writes. After a QApplication is made, which takes the user's locale.
+/// and writes. A comma that is typed counts as a point. After a QApplication is made, which takes
+/// the user's locale.
 void use_c_numbers();
 
 }  // namespace gnathion

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/core_words.h"
 #include "app/face_view.h"
 #include "tissue/lip_line.h"
 
@@ -146,7 +147,7 @@ void LipLineTool::propose() {
   drop();
   LipLineProposal proposal = propose_lip_line(editor_.brush().face(), controller_.plan().landmarks);
   QStringList words;
-  for (const std::string& doubt : proposal.doubts) words << QString::fromStdString(doubt);
+  for (const std::string& doubt : proposal.doubts) words << core_words(doubt);
   if (proposal.line.empty()) {
     emit controller_.noticed(
         tr("No lip line was found. %1 Trace it with the mouse.").arg(words.join(' ')));

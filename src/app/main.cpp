@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "app/display.h"
+#include "app/language.h"
 #include "app/main_window.h"
 #include "app/theme.h"
 
@@ -24,6 +25,7 @@ struct CommandLine {
 /// Empty when the program should end with `exit_code`. Needs no display.
 bool read_command_line(int argc, char** argv, CommandLine& line, int& exit_code) {
   const QCoreApplication core(argc, argv);
+  gnathion::start_language();
   QCommandLineParser parser;
   parser.setApplicationDescription(
       QCoreApplication::tr("Predicts a face after an operation on the jaw. Research use only."));
@@ -52,6 +54,11 @@ bool read_command_line(int argc, char** argv, CommandLine& line, int& exit_code)
     exit_code = complain(QCoreApplication::tr("more than one case; give one file, or --demo"));
     return false;
   }
+  const QString problem = gnathion::display_problem();
+  if (!problem.isEmpty()) {
+    exit_code = complain(problem);
+    return false;
+  }
   line = {files.value(0), parser.isSet(demo)};
   return true;
 }
@@ -67,11 +74,10 @@ int main(int argc, char** argv) {
   int exit_code = 0;
   if (!read_command_line(argc, argv, line, exit_code)) return exit_code;
 
-  const QString problem = gnathion::display_problem();
-  if (!problem.isEmpty()) return complain(problem);
   gnathion::prepare_graphics();
   QApplication app(argc, argv);
   gnathion::use_c_numbers();
+  gnathion::start_language();
   gnathion::start_theme();
   const QString graphics = gnathion::graphics_problem();
   if (!graphics.isEmpty()) return complain(graphics);

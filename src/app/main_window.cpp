@@ -19,6 +19,7 @@
 #include "app/compare_panel.h"
 #include "app/exports.h"
 #include "app/face_view.h"
+#include "app/language.h"
 #include "app/motion_panel.h"
 #include "app/region_panel.h"
 #include "app/registration_panel.h"
@@ -275,6 +276,9 @@ void MainWindow::connect_view_actions() {
   connect(ui_->before_action, &QAction::toggled, view, &FaceView::set_before_visible);
   connect_theme_actions(*ui_->system_theme_action, *ui_->light_theme_action,
                         *ui_->dark_theme_action);
+  connect_language_actions(
+      *ui_->system_language_action, *ui_->english_action, *ui_->german_action,
+      [this](const QString& words) { ui_->message_bar->show_notice(tr("Language"), words); });
   connect(opacity_slider_, &QSlider::valueChanged, view,
           [view](int percent) { view->set_face_opacity(percent / 100.0); });
 }

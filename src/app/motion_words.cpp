@@ -5,6 +5,8 @@
 #include <QStringList>
 #include <cmath>
 
+#include "app/core_words.h"
+
 namespace gnathion {
 namespace {
 
@@ -41,7 +43,8 @@ QString motion_words(const JawMotion& motion) {
     const QString number = QLocale().toString(rounded, 'g', 6);
     said << words(part.value > 0 ? part.positive : part.negative).arg(number);
   }
-  return said.isEmpty() ? words("not moved") : said.join(QStringLiteral(", "));
+  return said.isEmpty() ? words(QT_TRANSLATE_NOOP("motion", "not moved"))
+                        : said.join(QStringLiteral(", "));
 }
 
 namespace {
@@ -76,7 +79,7 @@ QString collision_words(const Collision& collision, const QStringList& segments,
 }
 
 QString landmark_words(const std::string& key) {
-  QString text = QString::fromStdString(key).replace('_', ' ');
+  QString text = core_words(QString::fromStdString(key).replace('_', ' '));
   if (!text.isEmpty()) text[0] = text[0].toUpper();
   return text;
 }

@@ -5,6 +5,7 @@
 #include <QRadioButton>
 #include <array>
 
+#include "app/core_words.h"
 #include "scan/scan_import.h"
 #include "ui_photograph_dialog.h"
 
@@ -73,7 +74,7 @@ void PhotographDialog::read_scan_size() {
 }
 
 void PhotographDialog::show_proposal(const ProposedUnit& unit) {
-  QString reason = QString::fromStdString(unit.reason).toHtmlEscaped();
+  QString reason = core_words(unit.reason).toHtmlEscaped();
   if (!reason.isEmpty()) reason[0] = reason[0].toUpper();
   ui_->photograph_proposal_label->setText(
       unit.name.empty() ? tr("No usual unit would make it as large as a head. %1.").arg(reason)

@@ -9,6 +9,7 @@
 
 #include <vtkRenderer.h>
 
+#include "app/core_words.h"
 #include "app/face_view.h"
 #include "app/theme.h"
 #include "ui_registration_panel.h"
@@ -315,8 +316,8 @@ void RegistrationPanel::show_doubts() {
     warns = !proposal->doubts.empty();
     for (const RegistrationDoubt& doubt : proposal->doubts) {
       words << tr("%1. What to do: %2.")
-                   .arg(sentence(QString::fromStdString(doubt.problem)),
-                        QString::fromStdString(doubt.remedy).toHtmlEscaped());
+                   .arg(sentence(core_words(doubt.problem)),
+                        core_words(doubt.remedy).toHtmlEscaped());
     }
     if (!warns) {
       words << tr("The fit came to rest after %1 steps; nothing speaks against it. Look whether "
@@ -334,8 +335,8 @@ void RegistrationPanel::show_doubts() {
       warns ? QString("<b style='color:%1'>%2</b>").arg(warning_colour(palette()).name(), text)
             : text);
   ui_->doubt_label->setVisible(!words.isEmpty());
-  ui_->accept_fit_button->setText(warns && proposal != nullptr ? tr("A&ccept all the same")
-                                                               : tr("A&ccept"));
+  ui_->accept_fit_button->setText(warns && proposal != nullptr ? tr("&Accept all the same")
+                                                               : tr("&Accept"));
 }
 
 void RegistrationPanel::show_landmarks() {

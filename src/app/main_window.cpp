@@ -19,6 +19,7 @@
 #include "app/compare_panel.h"
 #include "app/exports.h"
 #include "app/face_view.h"
+#include "app/file_dialogs.h"
 #include "app/language.h"
 #include "app/motion_panel.h"
 #include "app/region_panel.h"
@@ -384,42 +385,14 @@ void MainWindow::connect_work() {
 
 void MainWindow::update_enabled() {
   const bool any = controller_.has_case();
-  const bool working = controller_.is_working();
-  for (QAction* action : {ui_->export_action,
-                          ui_->picture_action,
-                          ui_->bones_action,
-                          ui_->turntable_action,
-                          ui_->front_action,
-                          ui_->left_action,
-                          ui_->right_action,
-                          ui_->three_quarter_action,
-                          ui_->top_action,
-                          ui_->reset_view_action,
-                          ui_->textured_action,
-                          ui_->bone_action,
-                          ui_->colour_map_action,
-                          ui_->before_action,
-                          ui_->turn_left_action,
-                          ui_->turn_right_action,
-                          ui_->turn_up_action,
-                          ui_->turn_down_action,
-                          ui_->zoom_in_action,
-                          ui_->zoom_out_action,
-                          ui_->maximise_action,
-                          ui_->slices_action,
-                          ui_->outlines_action,
-                          ui_->bone_window_action,
-                          ui_->soft_tissue_window_action,
-                          ui_->skin_window_action}) {
+  enable_views(any);
+  ui_->export_action->setEnabled(controller_.has_model() && !controller_.is_exporting());
+  for (QAction* action : {ui_->picture_action, ui_->bones_action, ui_->turntable_action,
+                          ui_->save_action, ui_->save_as_action, ui_->tissue_action}) {
     action->setEnabled(any);
   }
-  ui_->export_action->setEnabled(controller_.has_model() && !controller_.is_exporting());
-  ui_->save_action->setEnabled(any);
-  ui_->save_as_action->setEnabled(any);
-  ui_->tissue_action->setEnabled(any);
   ui_->undo_action->setEnabled(any && controller_.history().can_undo());
   ui_->redo_action->setEnabled(any && controller_.history().can_redo());
-  ui_->textured_action->setEnabled(any && has_texture(controller_.loaded()));
   const auto moves = [](const JawMotion& motion) { return motion != JawMotion{}; };
   const bool any_motion =
       controller_.has_model() &&
@@ -428,13 +401,32 @@ void MainWindow::update_enabled() {
   ui_->play_action->setChecked(player_.is_running());
   ui_->steps->setEnabled(any);
   panel_->setEnabled(controller_.has_segments());
-  opacity_slider_->setEnabled(any);
+  const bool working = controller_.is_working();
   const bool refining = any && controller_.refinement() == Refinement::running;
   for (QWidget* widget : std::initializer_list<QWidget*>{progress_bar_, cancel_button_}) {
     widget->setVisible(working || refining || player_.is_computing());
   }
   stage_label_->setVisible(working);
   model_label_->setVisible(!working);
+}
+
+/// What looks at a case from another side, or shows other parts of it.
+void MainWindow::enable_views(bool any) {
+  for (QAction* action : {ui_->front_action,       ui_->left_action,
+                          ui_->right_action,       ui_->three_quarter_action,
+                          ui_->top_action,         ui_->reset_view_action,
+                          ui_->bone_action,        ui_->colour_map_action,
+                          ui_->before_action,      ui_->turn_left_action,
+                          ui_->turn_right_action,  ui_->turn_up_action,
+                          ui_->turn_down_action,   ui_->zoom_in_action,
+                          ui_->zoom_out_action,    ui_->maximise_action,
+                          ui_->slices_action,      ui_->outlines_action,
+                          ui_->bone_window_action, ui_->soft_tissue_window_action,
+                          ui_->skin_window_action}) {
+    action->setEnabled(any);
+  }
+  ui_->textured_action->setEnabled(any && has_texture(controller_.loaded()));
+  opacity_slider_->setEnabled(any);
 }
 
 /// What the status line says is being done.
@@ -459,27 +451,15 @@ void MainWindow::open_demo_case() {
 // Dialogs are opened, not executed: no event loop within another, so that the window may close.
 
 void MainWindow::ask_export() {
-  auto* dialog = new QFileDialog(this, tr("Export the predicted face into a new folder"));
-  dialog->setObjectName("export_dialog");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setOption(QFileDialog::DontUseNativeDialog);
-  dialog->setOption(QFileDialog::DontConfirmOverwrite);  // nothing is ever overwritten
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setFileMode(QFileDialog::AnyFile);
-  dialog->setLabelText(QFileDialog::FileName, tr("New folder:"));
-  dialog->setLabelText(QFileDialog::Accept, tr("Export"));
-  dialog->setDirectory(QDir::homePath());
-  dialog->selectFile("predicted_face");
+  QFileDialog* dialog = new_folder_dialog(
+      this, "export_dialog", tr("Export the predicted face into a new folder"), "predicted_face");
   connect(dialog, &QFileDialog::fileSelected, this,
           [this](const QString& folder) { controller_.export_face(path_of(folder)); });
   dialog->open();
 }
 
 void MainWindow::ask_picture() {
-  auto* dialog = new QFileDialog(this, tr("Save the picture"));
-  dialog->setObjectName("picture_dialog");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setOption(QFileDialog::DontUseNativeDialog);
+  QFileDialog* dialog = new_file_dialog(this, "picture_dialog", tr("Save the picture"));
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   const QString large = tr("Pictures with twice as many pixels each way (*.png)");
   dialog->setNameFilters({tr("Pictures (*.png)"), large});

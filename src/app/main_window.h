@@ -60,6 +60,7 @@ class MainWindow : public QMainWindow {
   void connect_player();
   void connect_work();
   void update_enabled();
+  void enable_views(bool any);
 
   void show_recent();
   void ask_export();

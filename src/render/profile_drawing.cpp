@@ -266,6 +266,14 @@ struct ProfileDrawing::Impl {
 
   void draw_key(int width, int height, double pixel, double step, double major) {
     const int size = std::clamp(height / 34, 12, 20);
+    place_caption(width, height, size);
+    const double line = 1.7 * size, left = 0.03 * width, low = 0.05 * height + 2 * line;
+    draw_samples({left, low}, line);
+    draw_ruler({left, low - 1.2 * line}, pixel, step, major);
+  }
+
+  /// The words above, at the paper's edges and beside the landmarks, the key's in `size`.
+  void place_caption(int width, int height, int size) {
     for (vtkTextActor* text : fixed_texts()) text->GetTextProperty()->SetFontSize(size);
     const int caption_size = std::clamp(std::min(height / 26, width / 30), 12, 24);
     caption->GetTextProperty()->SetFontSize(caption_size);
@@ -273,39 +281,46 @@ struct ProfileDrawing::Impl {
     caption->SetInput(
         wrapped(words.caption, std::max(static_cast<int>(0.6 * width / (0.52 * caption_size)), 12))
             .c_str());
+    caption->SetPosition(0.03 * width, 0.97 * height);
     for (const auto& name : names) name->GetTextProperty()->SetFontSize(std::max(size - 2, 11));
-    const double line = 1.7 * size, left = 0.03 * width, sample = 42;
-    const double low = 0.05 * height + 2 * line;
+    sides[0]->SetPosition(0.012 * width, 0.5 * height);
+    sides[1]->SetPosition(0.975 * width, 0.5 * height);
+    sides[2]->SetPosition(0.5 * width, 0.975 * height);
+    sides[3]->SetPosition(0.5 * width, 0.025 * height);
+  }
+
+  /// How the faces and the landmarks are drawn, in rows `line` pixels high.
+  void draw_samples(const Place& at, double line) {
+    constexpr double sample = 42, word = sample + 8;
+    const double left = at.x(), low = at.y();
     std::vector<Line> before_keys =
         dashed({{left, low + line}, {left + sample, low + line}}, dash_pixels, gap_pixels);
     std::vector<Line> after_keys{{{left, low}, {left + sample, low}}};
+    before_word->SetPosition(left + word, low + line);
+    after_word->SetPosition(left + word, low);
     if (!profile.landmarks.empty()) {
       const double row = low + 2 * line;
       before_keys.push_back(circle({left + 0.25 * sample, row}, 4.5));
       for (const double radius : {1.0, 2.0, 3.0, 4.0}) {
         after_keys.push_back(circle({left + 0.75 * sample, row}, radius));
       }
-      landmarks_word->SetPosition(left + sample + 8, row);
+      landmarks_word->SetPosition(left + word, row);
     }
     landmarks_word->SetVisibility(!profile.landmarks.empty());
     key_before.draw(before_keys);
     key_after.draw(after_keys);
-    before_word->SetPosition(left + sample + 8, low + line);
-    after_word->SetPosition(left + sample + 8, low);
-    const double ruled = major / pixel, y = low - 1.2 * line;
-    ruler.draw({{{left, y}, {left + ruled, y}},
+  }
+
+  void draw_ruler(const Place& at, double pixel, double step, double major) {
+    const double left = at.x(), right = left + major / pixel, y = at.y();
+    ruler.draw({{{left, y}, {right, y}},
                 {{left, y - 5}, {left, y + 5}},
-                {{left + ruled, y - 5}, {left + ruled, y + 5}}});
+                {{right, y - 5}, {right, y + 5}}});
     const auto mm = [](double value) {
       return std::to_string(static_cast<int>(std::lround(value))) + " mm";
     };
     scale_word->SetInput((mm(major) + "   (" + words.grid + " " + mm(step) + ")").c_str());
-    scale_word->SetPosition(left + ruled + 8, y);
-    caption->SetPosition(left, 0.97 * height);
-    sides[0]->SetPosition(0.012 * width, 0.5 * height);
-    sides[1]->SetPosition(0.975 * width, 0.5 * height);
-    sides[2]->SetPosition(0.5 * width, 0.975 * height);
-    sides[3]->SetPosition(0.5 * width, 0.025 * height);
+    scale_word->SetPosition(right + 8, y);
   }
 };
 

@@ -83,46 +83,59 @@ struct Header {
   std::size_t end = 0;  ///< where the data begin
 };
 
+Coding coding_of(const std::string& word) {
+  if (word == "ascii") return Coding::ascii;
+  if (word == "binary_little_endian") return Coding::little;
+  if (word == "binary_big_endian") return Coding::big;
+  fail("its format \"" + word + "\" is unknown");
+}
+
+/// words: behind "element", line: whole.
+Element read_element(std::istringstream& words, const std::string& line) {
+  Element element;
+  std::string count;
+  if (!(words >> element.name >> count) || count.front() == '-') {
+    fail("its header is damaged at \"" + line + "\"");
+  }
+  const char* end = count.data() + count.size();
+  const auto [rest, status] = std::from_chars(count.data(), end, element.count);
+  if (status != std::errc() || rest != end) {
+    fail("its header gives no number of things at \"" + line + "\"");
+  }
+  return element;
+}
+
+/// words: behind "property", line: whole.
+Property read_property(std::istringstream& words, const std::string& line) {
+  Property property;
+  std::string kind;
+  words >> kind;
+  if (kind == "list") {
+    words >> kind;
+    property.count = kind_of(kind);
+    words >> kind;
+  }
+  property.kind = kind_of(kind);
+  if (!(words >> property.name)) fail("its header is damaged at \"" + line + "\"");
+  return property;
+}
+
 void read_header_line(const std::string& line, Header& header) {
   std::istringstream words(line);
-  std::string word, second, third, fourth;
+  std::string word, second;
   words >> word;
   if (word == "format") {
     words >> second;
-    if (second == "binary_little_endian") {
-      header.coding = Coding::little;
-    } else if (second == "binary_big_endian") {
-      header.coding = Coding::big;
-    } else if (second != "ascii") {
-      fail("its format \"" + second + "\" is unknown");
-    }
+    header.coding = coding_of(second);
   } else if (word == "comment" && words >> second && second == "TextureFile") {
-    std::getline(words >> std::ws, third);
-    header.pictures.push_back(third);
+    std::string picture;
+    std::getline(words >> std::ws, picture);
+    header.pictures.push_back(picture);
   } else if (word == "element") {
-    Element element;
-    if (!(words >> element.name >> third) || third.empty() || third.front() == '-') {
-      fail("its header is damaged at \"" + line + "\"");
-    }
-    const auto [rest, status] =
-        std::from_chars(third.data(), third.data() + third.size(), element.count);
-    if (status != std::errc() || rest != third.data() + third.size()) {
-      fail("its header gives no number of things at \"" + line + "\"");
-    }
-    header.elements.push_back(element);
+    header.elements.push_back(read_element(words, line));
   } else if (word == "property") {
     if (header.elements.empty()) fail("its header names a property before any element");
-    Property property;
-    words >> second;
-    if (second == "list") {
-      words >> third >> fourth;
-      property.count = kind_of(third);
-      property.kind = kind_of(fourth);
-    } else {
-      property.kind = kind_of(second);
-    }
-    if (!(words >> property.name)) fail("its header is damaged at \"" + line + "\"");
-    header.elements.back().properties.push_back(property);
+    header.elements.back().properties.push_back(read_property(words, line));
   }
 }
 

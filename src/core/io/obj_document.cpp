@@ -150,7 +150,7 @@ ObjDocument ObjDocument::of_scan(const fs::path& path, const RawScan& scan) {
   document.mesh_.triangle_material = scan.material;
   document.vertex_colours_ = scan.colours.cwiseMax(0).cwiseMin(1);
   document.take_materials(scan);
-  document.compose_text(scan);
+  document.compose_text();
   document.weld_split_vertices();
   return document;
 }
@@ -192,15 +192,21 @@ void ObjDocument::take_materials(const RawScan& scan) {
   add("plain", Material().diffuse, -1);
 }
 
-void ObjDocument::compose_text(const RawScan& scan) {
+void ObjDocument::compose_text() {
   const std::string stem = one_word(path_.stem().string());
   text_ = "# " + one_word(path_.filename().string()) + " as OBJ, in its own frame and unit\n";
   if (!mesh_.materials.empty()) {
     own_material_file_ = stem + ".mtl";
     text_ += "mtllib " + own_material_file_ + "\n";
   }
+  text_.reserve(static_cast<std::size_t>(mesh_.surface.vertices.rows()) * 60 +
+                static_cast<std::size_t>(mesh_.surface.triangles.rows()) * 44);
+  compose_vertices();
+  compose_faces();
+}
+
+void ObjDocument::compose_vertices() {
   const Points& x = mesh_.surface.vertices;
-  text_.reserve(static_cast<std::size_t>(x.rows()) * 60 + scan.material.size() * 44);
   vertex_lines_.reserve(static_cast<std::size_t>(x.rows()));
   for (Eigen::Index v = 0; v < x.rows(); ++v) {
     text_ += 'v';
@@ -217,6 +223,9 @@ void ObjDocument::compose_text(const RawScan& scan) {
     for (const double coordinate : uv) add_number(text_, coordinate);
     text_ += '\n';
   }
+}
+
+void ObjDocument::compose_faces() {
   int material = -1;
   for (Eigen::Index f = 0; f < mesh_.surface.triangles.rows(); ++f) {
     const int own = mesh_.triangle_material[static_cast<std::size_t>(f)];
@@ -238,59 +247,59 @@ ObjDocument ObjDocument::parse(const fs::path& path, std::string text) {
   ObjDocument document;
   document.path_ = path;
   document.text_ = std::move(text);
-  document.find_vertex_lines();
+  document.read_vertices();
+  document.read_texture_coordinates();
   document.check_faces();
-  document.find_materials();
+  document.find_material_files();
+  document.find_texture_files();
   document.read_faces();
   document.weld_split_vertices();
   return document;
 }
 
-void ObjDocument::find_vertex_lines() {
+/// The next word of a line as a finite number, or else that `what` is none.
+double ObjDocument::number_at(std::size_t& begin, std::size_t end, int line,
+                              const char* what) const {
+  if (const auto value = finite_number(next_word(text_, begin, end))) return *value;
+  refuse(path_, "line " + std::to_string(line) + ": " + what + " is not a finite number",
+         "mend the file (numbers with a decimal point) or export it again");
+}
+
+void ObjDocument::read_vertices() {
   std::vector<double> values, colours;
-  const std::string remedy = "mend the file (numbers with a decimal point) or export it again";
   for_lines(text_, "v", [&](std::size_t begin, std::size_t end, int number) {
     while (begin < end && is_blank(text_[begin])) ++begin;
     VertexLine line{begin, begin};
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto value = finite_number(next_word(text_, line.end, end));
-      if (!value) {
-        refuse(path_,
-               "line " + std::to_string(number) + ": coordinate " + std::to_string(axis + 1) +
-                   " of the vertex is not a finite number",
-               remedy);
-      }
-      values.push_back(*value);
+    for (const char* what : {"coordinate 1 of the vertex", "coordinate 2 of the vertex",
+                             "coordinate 3 of the vertex"}) {
+      values.push_back(number_at(line.end, end, number, what));
     }
     vertex_lines_.push_back(line);
     for (std::size_t at = line.end; at < end;) {
       if (const auto value = finite_number(next_word(text_, at, end))) colours.push_back(*value);
     }
   });
-  std::vector<double> texture;
-  for_lines(text_, "vt", [&](std::size_t begin, std::size_t end, int number) {
-    texture_lines_.push_back(begin);
-    std::string_view word = next_word(text_, begin, end);
-    std::array<double, 3> uvw{};  // the third is for solid textures, and not used
-    std::size_t read = 0;
-    do {
-      const auto value = finite_number(word);
-      if (!value) {
-        refuse(path_,
-               "line " + std::to_string(number) + ": a texture coordinate is not a finite number",
-               remedy);
-      }
-      if (read < uvw.size()) uvw[read++] = *value;
-      word = next_word(text_, begin, end);
-    } while (!word.empty());
-    texture.insert(texture.end(), uvw.begin(), uvw.begin() + 2);
-  });
-  mesh_.texture_coordinates = Eigen::Map<const decltype(mesh_.texture_coordinates)>(
-      texture.data(), static_cast<Eigen::Index>(texture.size() / 2), 2);
   if (values.empty()) refuse(path_, "it has no vertices", "choose a Wavefront OBJ file");
   mesh_.surface.vertices =
       Eigen::Map<const Points>(values.data(), static_cast<Eigen::Index>(values.size() / 3), 3);
   take_colours(colours);
+}
+
+void ObjDocument::read_texture_coordinates() {
+  std::vector<double> texture;
+  for_lines(text_, "vt", [&](std::size_t begin, std::size_t end, int number) {
+    texture_lines_.push_back(begin);
+    std::array<double, 3> uvw{};  // the third is for solid textures, and not used
+    std::size_t read = 0;
+    do {
+      const double value = number_at(begin, end, number, "a texture coordinate");
+      if (read < uvw.size()) uvw[read++] = value;
+      while (begin < end && (is_blank(text_[begin]) || text_[begin] == '\r')) ++begin;
+    } while (begin < end);
+    texture.insert(texture.end(), uvw.begin(), uvw.begin() + 2);
+  });
+  mesh_.texture_coordinates = Eigen::Map<const decltype(mesh_.texture_coordinates)>(
+      texture.data(), static_cast<Eigen::Index>(texture.size() / 2), 2);
 }
 
 void ObjDocument::take_colours(const std::vector<double>& colours) {
@@ -336,7 +345,7 @@ void ObjDocument::check_faces() const {
   });
 }
 
-void ObjDocument::find_materials() {
+void ObjDocument::find_material_files() {
   const fs::path folder = path_.parent_path();
   for_lines(text_, "mtllib", [&](std::size_t begin, std::size_t end, int) {
     // The whole rest is one name, blanks included, unless only its parts exist.
@@ -359,6 +368,10 @@ void ObjDocument::find_materials() {
       material_text_ += read_text_file(folder / found) + "\n";
     }
   });
+}
+
+void ObjDocument::find_texture_files() {
+  const fs::path folder = path_.parent_path();
   for (const char* keyword :
        {"map_Kd", "map_Ka", "map_Ks", "map_Bump", "map_bump", "map_d", "bump", "norm", "map_Ns"}) {
     for_lines(material_text_, keyword, [&](std::size_t begin, std::size_t end, int) {
@@ -389,40 +402,18 @@ void ObjDocument::read_faces() {
   if (reader.Warning().find("invalid vertex index") != std::string::npos) {
     refuse(path_, "a face stands before its vertices", "export the photograph again as OBJ");
   }
-  const auto vertex_count = static_cast<int>(mesh_.surface.vertices.rows());
-  const auto texture_count = static_cast<int>(mesh_.texture_coordinates.rows());
-  std::vector<std::array<int, 3>> corners, textures;
+  std::vector<int> corners, textures;
   for (const tinyobj::shape_t& shape : reader.GetShapes()) {
-    for (std::size_t f = 0; 3 * f + 2 < shape.mesh.indices.size(); ++f) {
-      std::array<int, 3> v{}, t{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        const tinyobj::index_t& index = shape.mesh.indices[3 * f + k];
-        v[k] = index.vertex_index;
-        t[k] = index.texcoord_index;
-        if (v[k] < 0 || v[k] >= vertex_count) {
-          refuse(path_,
-                 "a face names vertex " + std::to_string(v[k] + 1) + ", but there are only " +
-                     std::to_string(vertex_count),
-                 "the file is damaged: export the photograph again");
-        }
-        if (t[k] < -1 || t[k] >= texture_count) {
-          refuse(path_,
-                 "a face names texture coordinate " + std::to_string(t[k] + 1) +
-                     ", but there are only " + std::to_string(texture_count),
-                 "the file is damaged: export the photograph again");
-        }
-      }
-      corners.push_back(v);
-      textures.push_back(t);
-      mesh_.triangle_material.push_back(shape.mesh.material_ids[f]);
+    // All polygons are triangles by now.
+    const auto& materials = shape.mesh.material_ids;
+    for (const tinyobj::index_t& index : shape.mesh.indices) {
+      corners.push_back(index.vertex_index);
+      textures.push_back(index.texcoord_index);
     }
+    mesh_.triangle_material.insert(mesh_.triangle_material.end(), materials.begin(),
+                                   materials.end());
   }
-  if (corners.empty()) {
-    refuse(path_, "it has no faces", "export the photograph as a surface, not as a point cloud");
-  }
-  const auto count = static_cast<Eigen::Index>(corners.size());
-  mesh_.surface.triangles = Eigen::Map<const Triangles>(corners.front().data(), count, 3);
-  mesh_.corner_texture = Eigen::Map<const Triangles>(textures.front().data(), count, 3);
+  take_corners(corners, textures);
   const fs::path folder = path_.parent_path();
   for (const tinyobj::material_t& material : reader.GetMaterials()) {
     const std::string texture = existing_name(folder, material.diffuse_texname);
@@ -430,6 +421,28 @@ void ObjDocument::read_faces() {
                                {material.diffuse[0], material.diffuse[1], material.diffuse[2]},
                                material.diffuse_texname.empty() ? fs::path() : folder / texture});
   }
+}
+
+/// Three a triangle. textures: −1 for none.
+void ObjDocument::take_corners(const std::vector<int>& corners, const std::vector<int>& textures) {
+  if (corners.empty()) {
+    refuse(path_, "it has no faces", "export the photograph as a surface, not as a point cloud");
+  }
+  const auto require_below = [this](const std::vector<int>& indices, int least, Eigen::Index count,
+                                    const std::string& what) {
+    for (const int i : indices) {
+      if (i >= least && i < count) continue;
+      refuse(path_,
+             "a face names " + what + " " + std::to_string(i + 1) + ", but there are only " +
+                 std::to_string(count),
+             "the file is damaged: export the photograph again");
+    }
+  };
+  require_below(corners, 0, mesh_.surface.vertices.rows(), "vertex");
+  require_below(textures, -1, mesh_.texture_coordinates.rows(), "texture coordinate");
+  const auto count = static_cast<Eigen::Index>(corners.size() / 3);
+  mesh_.surface.triangles = Eigen::Map<const Triangles>(corners.data(), count, 3);
+  mesh_.corner_texture = Eigen::Map<const Triangles>(textures.data(), count, 3);
 }
 
 void ObjDocument::weld_split_vertices() {

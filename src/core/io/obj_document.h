@@ -66,14 +66,20 @@ class ObjDocument {
   };
 
   static ObjDocument parse(const std::filesystem::path& path, std::string text);
-  void find_vertex_lines();  ///< and checks their numbers, and those of texture coordinates
+  double number_at(std::size_t& begin, std::size_t end, int line, const char* what) const;
+  void read_vertices();
+  void read_texture_coordinates();
   void check_faces() const;  ///< the parser passes over faces that it cannot use
-  void find_materials();
+  void find_material_files();
+  void find_texture_files();
   void read_faces();
+  void take_corners(const std::vector<int>& corners, const std::vector<int>& textures);
   void weld_split_vertices();
   void take_colours(const std::vector<double>& colours);
   void take_materials(const RawScan& scan);
-  void compose_text(const RawScan& scan);
+  void compose_text();
+  void compose_vertices();
+  void compose_faces();
   std::vector<Copied> copied_files() const;
 
   std::filesystem::path path_;

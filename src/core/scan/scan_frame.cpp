@@ -148,23 +148,15 @@ std::string axis_name(int axis, double sign) {
   return std::string(sign > 0 ? "+" : "-") + "xyz"[axis];
 }
 
-}  // namespace
+/// A way that the patient may look, and the peak that would be his nose then.
+struct Way {
+  int up, front, sign;
+  Peak peak;
+};
 
-ProposedAxes scan_axes(const TriangleMesh& surface) {
-  if (surface_area(surface) <= 0) {
-    return {Eigen::Matrix3d::Identity(), Confidence::low, "the scan has no area to look at"};
-  }
-  const Spread spread = spread_points(surface);
-  const Points& points = spread.points;
-  std::array<double, 3> mirror{};
-  for (int axis = 0; axis < 3; ++axis) mirror[axis] = symmetry(points, axis);
-  const int left =
-      static_cast<int>(std::max_element(mirror.begin(), mirror.end()) - mirror.begin());
+/// The four ways across the axis of symmetry, that with the narrowest peak first.
+std::vector<Way> ways_across(const Spread& spread, int left) {
   const int u = (left + 1) % 3, v = (left + 2) % 3;
-  struct Way {
-    int up, front, sign;
-    Peak peak;
-  };
   std::vector<Way> ways;
   for (const auto& [up, front] : {std::pair{u, v}, {v, u}}) {
     for (const int sign : {1, -1}) {
@@ -176,6 +168,30 @@ ProposedAxes scan_axes(const TriangleMesh& surface) {
   }
   std::stable_sort(ways.begin(), ways.end(),
                    [](const Way& a, const Way& b) { return a.peak.width < b.peak.width; });
+  return ways;
+}
+
+/// Whether one axis is more symmetric than the others, one peak narrower, and one side of it
+/// steeper.
+bool is_clear(std::array<double, 3> mirror, const std::vector<Way>& ways) {
+  std::sort(mirror.begin(), mirror.end());
+  const Peak& nose = ways[0].peak;
+  return mirror[2] - mirror[1] > 0.1 && nose.width < 0.75 * ways[1].peak.width &&
+         std::abs(nose.above - nose.below) > 0.15 * (nose.above + nose.below);
+}
+
+}  // namespace
+
+ProposedAxes scan_axes(const TriangleMesh& surface) {
+  if (surface_area(surface) <= 0) {
+    return {Eigen::Matrix3d::Identity(), Confidence::low, "the scan has no area to look at"};
+  }
+  const Spread spread = spread_points(surface);
+  std::array<double, 3> mirror{};
+  for (int axis = 0; axis < 3; ++axis) mirror[axis] = symmetry(spread.points, axis);
+  const int left =
+      static_cast<int>(std::max_element(mirror.begin(), mirror.end()) - mirror.begin());
+  const std::vector<Way> ways = ways_across(spread, left);
   const Way& nose = ways.front();
   const double up_sign = nose.peak.above <= nose.peak.below ? 1 : -1;
   ProposedAxes axes;
@@ -183,13 +199,7 @@ ProposedAxes scan_axes(const TriangleMesh& surface) {
   axes.lps_from_scan(1, nose.front) = -nose.sign;  // the front is anterior, LPS's −y
   axes.lps_from_scan(2, nose.up) = up_sign;
   axes.lps_from_scan.row(0) = axes.lps_from_scan.row(1).cross(axes.lps_from_scan.row(2));
-  std::array<double, 3> sorted = mirror;
-  std::sort(sorted.begin(), sorted.end());
-  const bool clear =
-      sorted[2] - sorted[1] > 0.1 && ways.size() > 1 &&
-      nose.peak.width < 0.75 * ways[1].peak.width &&
-      std::abs(nose.peak.above - nose.peak.below) > 0.15 * (nose.peak.above + nose.peak.below);
-  axes.confidence = clear ? Confidence::fair : Confidence::low;
+  axes.confidence = is_clear(mirror, ways) ? Confidence::fair : Confidence::low;
   axes.reason = std::string("it is most symmetric along ") + "xyz"[left] +
                 ", has its narrowest peak, which may be the nose, towards " +
                 axis_name(nose.front, nose.sign) + ", and that falls off less steeply towards " +

@@ -129,36 +129,52 @@ std::optional<Vector3d> stomion_below(const Relief& relief, const Vector3d& nose
   return Vector3d(nose_tip[0], *relief.back_at(nose_tip[0], *z), *z);
 }
 
-/// Heights along the groove, one a millimetre from right to left: the way that stays in the groove
-/// and near the line through the mouth's landmarks, with little up and down (dynamic programming).
-std::vector<double> groove_heights(const Relief& relief, const Mouth& mouth) {
-  constexpr double kStep = 0.5;    // mm in z
-  constexpr double kSteep = 0.06;  // mm of groove for a step of one millimetre up or down, squared
-  constexpr double kNarrow = 0.002;  // the same for a millimetre from the landmarks' line, squared
-  const int columns = 1 + static_cast<int>(std::lround(mouth.left - mouth.right));
-  const int half = mouth.corners_known ? 10 : 14, rows = 2 * half + 1;
-  const auto middle = [&](int column) {
+/// Where the mouth is looked for: columns a millimetre wide from right to left, rows about a curve
+/// through its landmarks.
+struct GrooveGrid {
+  static constexpr double kStep = 0.5;  // mm in z from row to row
+  const Mouth& mouth;
+  int columns = 1 + static_cast<int>(std::lround(mouth.left - mouth.right));
+  int half = mouth.corners_known ? 10 : 14;
+  int rows = 2 * half + 1;
+
+  double off(int row) const { return kStep * (row - half); }  ///< mm above the curve
+  double middle(int column) const {
     const double x = mouth.right + column;
     const bool right = x < mouth.stomion[0];
     const double end = right ? mouth.right : mouth.left, z = right ? mouth.z_right : mouth.z_left;
     const double part = (x - mouth.stomion[0]) / (end - mouth.stomion[0]);
     return mouth.stomion[2] + part * part * (z - mouth.stomion[2]);
-  };
-  const int at_stomion = static_cast<int>(std::lround(mouth.stomion[0] - mouth.right));
-  Eigen::MatrixXd cost(rows, columns);
-  Eigen::MatrixXi before = Eigen::MatrixXi::Zero(rows, columns);
-  for (int c = 0; c < columns; ++c) {
-    const bool tied = c == at_stomion || (mouth.corners_known && (c == 0 || c == columns - 1));
-    for (int r = 0; r < rows; ++r) {
-      const double off = kStep * (r - half);
-      const double groove =
-          std::clamp(relief.groove_at(mouth.right + c, middle(c) + off), -1.0, 2.0);
-      cost(r, c) = kNarrow * off * off - groove;
-      if (tied && std::abs(off) > 1) cost(r, c) = kInfinity;
+  }
+  /// Whether the line must pass near the curve here: at a landmark.
+  bool is_tied(int column) const {
+    const int at_stomion = static_cast<int>(std::lround(mouth.stomion[0] - mouth.right));
+    return column == at_stomion || (mouth.corners_known && (column == 0 || column == columns - 1));
+  }
+  /// What it costs to pass here.
+  double cost(const Relief& relief, int row, int column) const {
+    constexpr double kNarrow = 0.002;  // mm of groove for a millimetre off the curve, squared
+    if (is_tied(column) && std::abs(off(row)) > 1) return kInfinity;
+    const double groove =
+        std::clamp(relief.groove_at(mouth.right + column, middle(column) + off(row)), -1.0, 2.0);
+    return kNarrow * off(row) * off(row) - groove;
+  }
+};
+
+/// Heights along the groove, one a millimetre from right to left: the way that stays in the groove
+/// and near the line through the mouth's landmarks, with little up and down (dynamic programming).
+std::vector<double> groove_heights(const Relief& relief, const Mouth& mouth) {
+  constexpr double kSteep = 0.06;  // mm of groove for a step of one millimetre up or down, squared
+  const GrooveGrid grid{mouth};
+  Eigen::MatrixXd cost(grid.rows, grid.columns);
+  Eigen::MatrixXi before = Eigen::MatrixXi::Zero(grid.rows, grid.columns);
+  for (int c = 0; c < grid.columns; ++c) {
+    for (int r = 0; r < grid.rows; ++r) {
+      cost(r, c) = grid.cost(relief, r, c);
       if (c == 0) continue;
       double least = kInfinity;
-      for (int from = std::max(0, r - 3); from <= std::min(rows - 1, r + 3); ++from) {
-        const double up = kStep * (r - from) + middle(c) - middle(c - 1);
+      for (int from = std::max(0, r - 3); from <= std::min(grid.rows - 1, r + 3); ++from) {
+        const double up = grid.off(r) - grid.off(from) + grid.middle(c) - grid.middle(c - 1);
         const double there = cost(from, c - 1) + kSteep * up * up;
         if (there >= least) continue;
         least = there;
@@ -167,11 +183,11 @@ std::vector<double> groove_heights(const Relief& relief, const Mouth& mouth) {
       cost(r, c) += least;
     }
   }
-  std::vector<double> heights(static_cast<std::size_t>(columns));
+  std::vector<double> heights(static_cast<std::size_t>(grid.columns));
   Eigen::Index row = 0;
-  cost.col(columns - 1).minCoeff(&row);
-  for (int c = columns - 1; c >= 0; --c) {
-    heights[static_cast<std::size_t>(c)] = middle(c) + kStep * (static_cast<int>(row) - half);
+  cost.col(grid.columns - 1).minCoeff(&row);
+  for (int c = grid.columns - 1; c >= 0; --c) {
+    heights[static_cast<std::size_t>(c)] = grid.middle(c) + grid.off(static_cast<int>(row));
     row = before(static_cast<int>(row), c);
   }
   return heights;

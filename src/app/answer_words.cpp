@@ -71,22 +71,23 @@ AnswerWords words_of(const Prediction& prediction, const CaseController& model) 
   return said;
 }
 
-}  // namespace
-
-AnswerWords answer_words(const CaseController& model, const QString& stage) {
-  if (const Prediction* prediction = model.refined()) return words_of(*prediction, model);
+/// Why no face follows.
+AnswerWords words_without_model(const CaseController& model) {
   AnswerWords said;
-  if (!model.has_model()) {
-    const auto& why = model.loaded().no_model;
-    said.warning = why.has_value();
-    said.status =
-        why ? words(QT_TRANSLATE_NOOP("answer", "The face cannot follow: %1"))
-                  .arg(core_words(why->problem()))
-            : words(QT_TRANSLATE_NOOP(
-                  "answer", "Nothing is cut yet: the step Bone makes a segment that can move"));
-    said.explanation = why ? core_words(why->remedy()) : QString();
-    return said;
-  }
+  const auto& why = model.loaded().no_model;
+  said.warning = why.has_value();
+  said.status =
+      why ? words(QT_TRANSLATE_NOOP("answer", "The face cannot follow: %1"))
+                .arg(core_words(why->problem()))
+          : words(QT_TRANSLATE_NOOP(
+                "answer", "Nothing is cut yet: the step Bone makes a segment that can move"));
+  said.explanation = why ? core_words(why->remedy()) : QString();
+  return said;
+}
+
+/// Of the answer that a drag shows. stage: of its refinement.
+AnswerWords quick_words(const CaseController& model, const QString& stage) {
+  AnswerWords said;
   const QString name = model_name(model.quick_model().order(), false);
   const QString quick = words(QT_TRANSLATE_NOOP("answer", "quick answer, %1")).arg(name);
   const auto say = [&](const QString& state, const QString& sentence) {
@@ -125,6 +126,13 @@ AnswerWords answer_words(const CaseController& model, const QString& stage) {
       break;
   }
   return said;
+}
+
+}  // namespace
+
+AnswerWords answer_words(const CaseController& model, const QString& stage) {
+  if (const Prediction* prediction = model.refined()) return words_of(*prediction, model);
+  return model.has_model() ? quick_words(model, stage) : words_without_model(model);
 }
 
 QString predicted_words(const CaseController& model) {

@@ -101,6 +101,7 @@ RegionPanel::RegionPanel(CaseController& controller, FaceView& view, QWidget* pa
   ui_->fixed_swatch->setStyleSheet(swatch(SupportMark::fixed));
   ui_->free_swatch->setStyleSheet(swatch(SupportMark::free));
   connect_brush();
+  connect_stroke();
   connect_changes();
   connect_lips();
   connect_model();
@@ -137,6 +138,10 @@ void RegionPanel::connect_brush() {
             [this, by = by] { tool_.set_radius(std::round(tool_.radius()) + by); });
     shortcuts_.push_back(shortcut);
   }
+}
+
+/// What is left out of the frames while a stroke goes on.
+void RegionPanel::connect_stroke() {
   // Bones of many triangles and smooth edges cost a software renderer most of a frame.
   connect(&tool_, &RegionBrushTool::stroke_began, this, [this] {
     overlay_.set_supports({});

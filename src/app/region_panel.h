@@ -36,6 +36,7 @@ class RegionPanel : public QWidget {
 
  private:
   void connect_brush();
+  void connect_stroke();
   void connect_changes();
   void connect_lips();
   void connect_model();

@@ -25,8 +25,12 @@ using nlohmann::json;
 /// A plan with its lists of vertices apart from the rest.
 struct Parts {
   JsonReader rest;
-  std::vector<int> region, sliding;
+  std::vector<int> region, sliding, stable;
 };
+
+std::vector<int> stable_vertices(const SurgicalCase& plan) {
+  return plan.photograph ? plan.photograph->stable_vertices : std::vector<int>();
+}
 
 std::vector<int> read_list(JsonReader& object, const std::string& key) {
   std::string text;
@@ -62,15 +66,23 @@ SurgicalCase read_step(JsonReader& step, const std::string& place, const fs::pat
   parts.rest = parts.rest.changed_by(step.object("changes"), place);
   read_list_change(step, "region", parts.region);
   read_list_change(step, "sliding", parts.sliding);
+  read_list_change(step, "stable", parts.stable);
   step.finish();
   JsonReader rest = parts.rest;
   SurgicalCase plan = read_plan(rest, case_file);
-  if (!plan.region.vertices.empty() || !plan.tissue.sliding_vertices.empty()) {
+  if (!plan.region.vertices.empty() || !plan.tissue.sliding_vertices.empty() ||
+      !stable_vertices(plan).empty()) {
     step.refuse("changes", "it gives vertices",
-                "give those under the step's keys \"region\" and \"sliding\"");
+                "give those under the step's keys \"region\", \"sliding\" and \"stable\"");
   }
   plan.region.vertices = parts.region;
   plan.tissue.sliding_vertices = parts.sliding;
+  if (plan.photograph) {
+    plan.photograph->stable_vertices = parts.stable;
+  } else if (!parts.stable.empty()) {
+    step.refuse("stable", "it gives vertices of a photograph, and the step has none",
+                "remove \"history\" from the case file: the plan itself is whole");
+  }
   return plan;
 }
 
@@ -100,7 +112,8 @@ PlanHistory read_steps(JsonReader history, const SurgicalCase& present, const Js
   const std::size_t position = read_position(history, objects.size());
   history.finish();
   std::vector<PlanStep> steps(objects.size());
-  const Parts parts{rest, present.region.vertices, present.tissue.sliding_vertices};
+  const Parts parts{rest, present.region.vertices, present.tissue.sliding_vertices,
+                    stable_vertices(present)};
   const auto read = [&](std::size_t s, Parts& beside) {
     steps[s].name = read_name(objects[s]);
     const std::string place = "history.steps[" + std::to_string(s) + "].changes";
@@ -159,6 +172,7 @@ json step_json(const std::string& name, const PlanAndJson& from, const PlanAndJs
   };
   add("region", from.plan.region.vertices, to.plan.region.vertices);
   add("sliding", from.plan.tissue.sliding_vertices, to.plan.tissue.sliding_vertices);
+  add("stable", stable_vertices(from.plan), stable_vertices(to.plan));
   return step;
 }
 
@@ -187,6 +201,7 @@ std::string open_plan_text(const SurgicalCase& plan, const fs::path& path) {
   };
   add("region", "vertices", plan.region.vertices);
   add("tissue", "sliding_vertices", plan.tissue.sliding_vertices);
+  add("photograph", "stable_vertices", stable_vertices(plan));
   std::string text = root.dump(2);
   text.resize(text.size() - 2);  // "\n}"
   return text;
@@ -216,8 +231,9 @@ PlanHistory read_case_history(const fs::path& path) {
   const JsonReader history = root.object("history");
   SurgicalCase present = read_plan(root, path);
   if (!root.has("history")) return {"Open", std::move(present)};
-  const JsonReader rest = root.without({"history", "region.vertices", "region.vertices_file",
-                                        "tissue.sliding_vertices", "tissue.sliding_file"});
+  const JsonReader rest =
+      root.without({"history", "region.vertices", "region.vertices_file", "tissue.sliding_vertices",
+                    "tissue.sliding_file", "photograph.stable_vertices"});
   return read_steps(history, present, rest, path);
 }
 

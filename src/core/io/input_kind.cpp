@@ -1,8 +1,9 @@
 #include "io/input_kind.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
-#include <initializer_list>
+#include <span>
 #include <string>
 
 #include "base/error.h"
@@ -12,7 +13,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool ends_with_any(const std::string& name, std::initializer_list<const char*> endings) {
+constexpr std::array volume_endings{".mha", ".mhd", ".nrrd", ".nhdr", ".nii", ".nii.gz"};
+constexpr std::array dicom_endings{".dcm", ".ima", "dicomdir"};
+
+std::string listed(std::span<const char* const> endings) {
+  std::string text;
+  for (const char* ending : endings) text += (text.empty() ? "" : ", ") + std::string(ending);
+  return text;
+}
+
+bool ends_with_any(const std::string& name, std::span<const char* const> endings) {
   return std::any_of(endings.begin(), endings.end(),
                      [&name](const char* ending) { return name.ends_with(ending); });
 }
@@ -27,8 +37,7 @@ std::string lower_name(const fs::path& path) {
 }  // namespace
 
 bool is_scan_name(const fs::path& path) {
-  return ends_with_any(lower_name(path), {".obj", ".ply", ".stl", ".glb", ".gltf", ".3ds", ".fbx",
-                                          ".dae", ".off", ".3mf"});
+  return ends_with_any(lower_name(path), scan_endings);
 }
 
 InputKind input_kind(const fs::path& path) {
@@ -40,19 +49,16 @@ InputKind input_kind(const fs::path& path) {
   }
   if (fs::is_directory(status)) return InputKind::dicom_folder;
   const std::string name = lower_name(path);
-  if (ends_with_any(name, {".json"})) return InputKind::case_file;
+  if (name.ends_with(".json")) return InputKind::case_file;
   if (is_scan_name(path)) return InputKind::photograph;
-  if (ends_with_any(name, {".mha", ".mhd", ".nrrd", ".nhdr", ".nii", ".nii.gz"})) {
-    return InputKind::volume;
-  }
-  if (ends_with_any(name, {".dcm", ".ima", "dicomdir"})) {
+  if (ends_with_any(name, volume_endings)) return InputKind::volume;
+  if (ends_with_any(name, dicom_endings)) {
     throw Error(ErrorKind::input, path.string(), "is one file of a DICOM series",
                 "give the folder that holds the series");
   }
   throw Error(ErrorKind::input, path.string(), "is nothing that Gnathion can open",
-              "give a folder with DICOM files, a volume (.mha, .mhd, .nrrd, .nhdr, .nii, .nii.gz), "
-              "a photograph (.obj, .ply, .stl, .glb, .gltf, .3ds, .fbx, .dae, .off, .3mf) or a "
-              "case (.json)");
+              "give a folder with DICOM files, a volume (" + listed(volume_endings) +
+                  "), a photograph (" + listed(scan_endings) + ") or a case (.json)");
 }
 
 }  // namespace gnathion

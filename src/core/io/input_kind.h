@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 
 namespace gnathion {
@@ -12,8 +13,11 @@ enum class InputKind {
   case_file,     ///< .json
 };
 
-/// Whether the name ends like a face scan's: .obj, .ply, .stl, .glb, .gltf, .3ds, .fbx, .dae, .off,
-/// .3mf, capitals or not.
+/// What the names of face scans end in: every format that read_scan() reads (scan/scan_import.h).
+inline constexpr std::array scan_endings{".obj", ".ply", ".stl", ".glb", ".gltf",
+                                         ".3ds", ".fbx", ".dae", ".off", ".3mf"};
+
+/// Whether the name ends like a face scan's, capitals or not.
 bool is_scan_name(const std::filesystem::path& path);
 
 /// By its name, capitals or not; nothing is read.

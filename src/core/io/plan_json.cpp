@@ -297,6 +297,50 @@ void read_version(JsonReader& root) {
   }
 }
 
+/// The places of one landmark on either surface.
+PickedPlace read_picked(JsonReader object) {
+  PickedPlace picked;
+  if (object.has("scan")) picked.photograph = object.required_vector("scan");
+  if (object.has("ct")) picked.lps = object.required_vector("ct");
+  object.finish();
+  if (!picked.photograph && !picked.lps) {
+    object.refuse("scan", "the landmark has a place on neither surface",
+                  "give \"scan\", \"ct\" or both, or remove the landmark");
+  }
+  return picked;
+}
+
+PhotographSource read_photograph(JsonReader object, const fs::path& case_file) {
+  PhotographSource photograph;
+  photograph.obj = beside(case_file, object.required_string("obj"));
+  photograph.lps_from_photograph = read_transform(object.object("transform"));
+  JsonReader landmarks = object.object("landmarks");
+  for (const std::string& name : landmarks.keys()) {
+    photograph.landmarks[name] = read_picked(landmarks.required_object(name));
+  }
+  landmarks.finish();
+  std::string text;
+  object.read("stable_vertices", text);
+  const std::optional<std::vector<int>> stable = vertices_of_text(text);
+  if (!stable || (stable->empty() && object.has("stable_vertices"))) {
+    object.refuse("stable_vertices", "it is no list of vertices",
+                  "give numbers from 0 and ranges of them in one text, as in \"12-480 500\"");
+  }
+  photograph.stable_vertices = *stable;
+  object.finish();
+  return photograph;
+}
+
+HingeAxis read_hinge(JsonReader object) {
+  const HingeAxis hinge{object.required_vector("right"), object.required_vector("left")};
+  object.finish();
+  if (hinge.left.x() - hinge.right.x() < least_hinge_mm) {
+    object.refuse("left", "it does not lie at least 20 mm to the patient's left of the right one",
+                  "give the centres of both condyles in LPS: the left one has the larger x");
+  }
+  return hinge;
+}
+
 /// "ct", "bone" and "skin". What ct says of crop and support holds for both surfaces, unless theirs
 /// say otherwise.
 void read_surfaces(JsonReader& root, const fs::path& case_file, SurgicalCase& plan) {
@@ -333,12 +377,7 @@ SurgicalCase read_plan(JsonReader& root, const fs::path& case_file) {
   read_surfaces(root, case_file, plan);
   plan.segments = read_segments(root);
   if (root.has("photograph")) {
-    JsonReader photograph = root.object("photograph");
-    PhotographSource source;
-    source.obj = beside(case_file, photograph.required_string("obj"));
-    source.lps_from_photograph = read_transform(photograph.object("transform"));
-    photograph.finish();
-    plan.photograph = source;
+    plan.photograph = read_photograph(root.object("photograph"), case_file);
   }
   JsonReader region = root.object("region");
   read_positive(region, "reach_mm", plan.region.reach_mm);
@@ -354,6 +393,7 @@ SurgicalCase read_plan(JsonReader& root, const fs::path& case_file) {
   for (const std::string& name : landmarks.keys()) {
     plan.landmarks[name] = landmarks.required_vector(name);
   }
+  if (root.has("hinge")) plan.hinge = read_hinge(root.object("hinge"));
   root.finish();
   return plan;
 }
@@ -411,6 +451,17 @@ json transform_json(const Similarity& transform) {
   return {{"scale", transform.scale},
           {"rotation", rows_json(transform.rotation)},
           {"translation_mm", vector_json(transform.translation)}};
+}
+
+json photograph_json(const PhotographSource& photograph, const fs::path& case_file) {
+  json object = {{"obj", path_json(photograph.obj, case_file)},
+                 {"transform", transform_json(photograph.lps_from_photograph)}};
+  for (const auto& [name, picked] : photograph.landmarks) {
+    json& landmark = object["landmarks"][name];
+    if (picked.photograph) landmark["scan"] = vector_json(*picked.photograph);
+    if (picked.lps) landmark["ct"] = vector_json(*picked.lps);
+  }
+  return object;
 }
 
 json motion_json(const PlannedSegment& segment) {
@@ -484,16 +535,17 @@ json plan_json(const SurgicalCase& plan, const fs::path& case_file) {
   json root = {{"gnathion_case", kVersion}, {"name", plan.name}};
   add_surfaces(plan, case_file, root);
   add_segments(plan.segments, root);
-  if (plan.photograph) {
-    root["photograph"] = {{"obj", path_json(plan.photograph->obj, case_file)},
-                          {"transform", transform_json(plan.photograph->lps_from_photograph)}};
-  }
+  if (plan.photograph) root["photograph"] = photograph_json(*plan.photograph, case_file);
   root["region"] = {{"reach_mm", plan.region.reach_mm}};
   if (plan.region.erased) root["region"]["erased"] = true;
   for (const Eigen::Vector3d& point : plan.region.lip_line) {
     root["region"]["lip_line"].push_back(vector_json(point));
   }
   root["tissue"] = tissue_json(plan.tissue);
+  if (plan.hinge) {
+    root["hinge"] = {{"right", vector_json(plan.hinge->right)},
+                     {"left", vector_json(plan.hinge->left)}};
+  }
   root["landmarks"] = json::object();
   for (const auto& [name, place] : plan.landmarks) root["landmarks"][name] = vector_json(place);
   return root;

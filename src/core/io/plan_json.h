@@ -11,7 +11,8 @@ namespace gnathion {
 /// A plan as the JSON object of a case file and back (docs/case-file.md). For .cpp files of this
 /// folder. case_file: to whose folder paths are relative.
 
-/// All of a plan but the lists of vertices, region.vertices and tissue.sliding_vertices.
+/// All of a plan but the lists of vertices: region.vertices, tissue.sliding_vertices and
+/// photograph.stable_vertices.
 /// Doubles come back to the bit.
 nlohmann::json plan_json(const SurgicalCase& plan, const std::filesystem::path& case_file);
 

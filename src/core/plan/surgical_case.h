@@ -9,6 +9,7 @@
 #include "bone/osteotomy.h"
 #include "fem/material.h"
 #include "imaging/surfaces.h"
+#include "plan/hinge.h"
 #include "plan/jaw_motion.h"
 
 namespace gnathion {
@@ -20,9 +21,22 @@ struct CtSource {
   bool operator==(const CtSource&) const = default;
 };
 
+/// A place of the face as the user picked it, to tell where the photograph belongs: on either
+/// surface, or on both.
+struct PickedPlace {
+  std::optional<Eigen::Vector3d> photograph;  ///< in its own frame and unit
+  std::optional<Eigen::Vector3d> lps;         ///< on the CT's skin, mm
+
+  bool operator==(const PickedPlace&) const = default;
+};
+
 struct PhotographSource {
   std::filesystem::path obj;       ///< the scan, OBJ or any other format (scan/scan_import.h)
   Similarity lps_from_photograph;  ///< from the file's frame and unit to LPS mm
+  /// By name. Like `stable_vertices` they find its place and change no prediction.
+  std::map<std::string, PickedPlace> landmarks = {};
+  /// Those of its vertices that decide a fit; empty: forehead and bridge of the nose, proposed.
+  std::vector<int> stable_vertices = {};
 
   bool operator==(const PhotographSource&) const = default;
 };
@@ -108,6 +122,7 @@ struct SurgicalCase {
   RegionChoice region;
   TissueModel tissue;
   std::map<std::string, Eigen::Vector3d> landmarks;  ///< on the face, LPS mm
+  std::optional<HingeAxis> hinge;  ///< as the user gave it; none: found on the bone
 
   bool operator==(const SurgicalCase&) const = default;
 };

@@ -25,6 +25,7 @@ json sizes_json(const Anatomy& anatomy, const TissueProblem& problem) {
           {"region_vertices", problem.region.mesh.vertices.rows()},
           {"region_triangles", problem.region.mesh.triangles.rows()},
           {"region_mean_edge_mm", mean_edge_length(problem.region.mesh)},
+          {"region_vertices_doubled_between_lips", problem.slit.size()},
           {"face_vertices_off_remesh_mm_p95", problem.remeshed_mm},
           {"region_vertices_smoothed_at_folds", problem.unfolded_count},
           {"region_smoothed_at_folds_by_mm", problem.unfolded_mm},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 #include <utility>
 
@@ -31,8 +32,11 @@ constexpr double kHead = 260;  // mm along the longest side; a face alone is som
 
 std::string in_short(double number) {
   std::ostringstream text;
-  text.precision(3);
-  text << number;
+  if (number >= 100) {
+    text << std::lround(number);
+  } else {
+    text << std::setprecision(3) << number;
+  }
   return text.str();
 }
 

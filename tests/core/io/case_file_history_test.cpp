@@ -39,9 +39,9 @@ class RandomPlans {
 
   SurgicalCase next() {
     constexpr std::array kChanges{&RandomPlans::change_surfaces,   &RandomPlans::change_segments,
-                                  &RandomPlans::change_photograph, &RandomPlans::change_lists,
-                                  &RandomPlans::change_tissue,     &RandomPlans::change_landmarks,
-                                  &RandomPlans::change_motion};
+                                  &RandomPlans::change_photograph, &RandomPlans::change_picks,
+                                  &RandomPlans::change_lists,      &RandomPlans::change_tissue,
+                                  &RandomPlans::change_landmarks,  &RandomPlans::change_motion};
     (this->*kChanges[random_() % kChanges.size()])();
     return plan_;
   }
@@ -96,6 +96,18 @@ class RandomPlans {
       plan_.photograph = PhotographSource{folder_ / "né.obj", {positive(), rotation(), vector()}};
     }
   }
+  void change_picks() {
+    if (!plan_.photograph) return;
+    auto& landmarks = plan_.photograph->landmarks;
+    if (!landmarks.empty() && coin()) {
+      landmarks.erase(landmarks.begin());
+      return;
+    }
+    PickedPlace& place = landmarks["ein Punkt ü" + std::to_string(++made_)];
+    if (coin()) place.photograph = vector();
+    if (coin() || !place.photograph) place.lps = vector();
+    plan_.photograph->stable_vertices = list(plan_.photograph->stable_vertices);
+  }
   std::vector<int> list(const std::vector<int>& old) {
     std::vector<int> list = old;
     switch (random_() % 4) {
@@ -122,6 +134,8 @@ class RandomPlans {
     plan_.region.erased = coin();
     plan_.region.lip_line.clear();
     if (coin()) plan_.region.lip_line = {vector(), vector(), vector()};
+    plan_.hinge.reset();
+    if (coin()) plan_.hinge = HingeAxis{{-positive(), 0, 1}, {20 + positive(), 2, 3}};
     plan_.tissue.depth_mm = positive();
     plan_.tissue.slides_on_teeth = coin();
     plan_.tissue.material.young_MPa = positive();
@@ -259,7 +273,9 @@ TEST(CaseHistory, ABrokenOneIsRefusedNamingTheStepAndThePlanIsStillRead) {
       {"history.steps[0].region.removed",
        [](json& h) { h["steps"][0]["region"]["removed"] = "x"; }},
       {"history.steps[0].region.add", [](json& h) { h["steps"][0]["region"]["add"] = "1"; }},
-      {"history.steps[2].sliding", [](json& h) { h["steps"][2]["sliding"] = "1-3"; }}};
+      {"history.steps[2].sliding", [](json& h) { h["steps"][2]["sliding"] = "1-3"; }},
+      {"history.steps[2].stable",
+       [](json& h) { h["steps"][2]["stable"]["added"] = "1-3"; }}};  // and no photograph
   for (const auto& [key, spoil] : faults) {
     SCOPED_TRACE(key);
     json bad = good;

@@ -38,9 +38,14 @@ SurgicalCase full_case(const fs::path& folder) {
   transform.rotation = Eigen::AngleAxisd(0.3, Vector3d(1, 2, -1).normalized()).toRotationMatrix();
   transform.translation << 4, -61.25, 1. / 3;
   plan.photograph = PhotographSource{folder / "photo 1" / "né.obj", transform};
+  plan.photograph->landmarks = {{"nasion", {Vector3d(0.1, 1. / 3, 2), Vector3d(4, -99.5, 30)}},
+                                {"Punkt ü", {{}, Vector3d(1e-9, 2, 3)}},
+                                {"chin", {Vector3d(7, 8, 9), {}}}};
+  plan.photograph->stable_vertices = {0, 1, 2, 5};
   plan.region.reach_mm = 42;
   plan.region.vertices = {0, 7, 12};
   plan.region.lip_line = {{-24.5, -93, -41.9}, {0.1, -106.7, 1. / 3 - 42}, {24.5, -93, -41.9}};
+  plan.hinge = HingeAxis{{-49.1, 1. / 3, 4}, {51, 0.1, 5}};
   plan.tissue = {.generator = Generator::paper,
                  .depth_mm = 6,
                  .bone_reach_mm = 15,
@@ -113,10 +118,13 @@ void expect_equal(const SurgicalCase& a, const SurgicalCase& b) {
     EXPECT_EQ(s.scale, t.scale);
     EXPECT_EQ(s.rotation, t.rotation);
     EXPECT_EQ(s.translation, t.translation);
+    EXPECT_EQ(a.photograph->landmarks, b.photograph->landmarks);
+    EXPECT_EQ(a.photograph->stable_vertices, b.photograph->stable_vertices);
   }
   EXPECT_EQ(a.region.reach_mm, b.region.reach_mm);
   EXPECT_EQ(a.region.vertices, b.region.vertices);
   EXPECT_EQ(a.region.lip_line, b.region.lip_line);
+  EXPECT_EQ(a.hinge, b.hinge);
   EXPECT_EQ(a.tissue.generator, b.tissue.generator);
   EXPECT_EQ(a.tissue.depth_mm, b.tissue.depth_mm);
   EXPECT_EQ(a.tissue.bone_reach_mm, b.tissue.bone_reach_mm);
@@ -447,6 +455,11 @@ TEST(CaseFile, RefusesEveryUnknownKeyWithItsPath) {
            {"photograph", R"({"obj": "a", "mtl": "b"})", "photograph.mtl"},
            {"photograph", R"({"obj": "a", "transform": {"translation": [0,0,0]}})",
             "photograph.transform.translation"},
+           {"photograph", R"({"obj": "a", "landmarks": {"nasion": {"skin": [1, 2, 3]}}})",
+            "photograph.landmarks.nasion.skin"},
+           {"photograph", R"({"obj": "a", "landmarks": {"n": {"ct": [1, 2, 3], "lps": 1}}})",
+            "photograph.landmarks.n.lps"},
+           {"photograph", R"({"obj": "a", "stable": "1-3"})", "photograph.stable"},
            {"region", R"({"reach": 3})", "region.reach"},
            {"tissue", R"({"young_modulus": 3})", "tissue.young_modulus"},
            {"motion", R"({"forward": 3})", "motion.forward"}}) {
@@ -484,6 +497,15 @@ TEST(CaseFile, RefusesEveryWrongTypeWithItsPath) {
             "photograph.transform.rotation"},
            {"photograph", R"({"obj": "a", "transform": {"translation_mm": 3}})",
             "photograph.transform.translation_mm"},
+           {"photograph", R"({"obj": "a", "landmarks": [1, 2, 3]})", "photograph.landmarks"},
+           {"photograph", R"({"obj": "a", "landmarks": {"nasion": [1, 2, 3]}})",
+            "photograph.landmarks.nasion"},
+           {"photograph", R"({"obj": "a", "landmarks": {"nasion": {"scan": [1, 2]}}})",
+            "photograph.landmarks.nasion.scan"},
+           {"photograph", R"({"obj": "a", "landmarks": {"nasion": {"ct": ["1", 2, 3]}}})",
+            "photograph.landmarks.nasion.ct"},
+           {"photograph", R"({"obj": "a", "stable_vertices": [1, 2]})",
+            "photograph.stable_vertices"},
            {"region", "35", "region"},
            {"region", R"({"reach_mm": "35"})", "region.reach_mm"},
            {"region", R"({"vertices_file": [1, 2]})", "region.vertices_file"},
@@ -493,6 +515,9 @@ TEST(CaseFile, RefusesEveryWrongTypeWithItsPath) {
            {"region", R"({"lip_line": [[0, 0, 0], [1, 2]]})", "region.lip_line"},
            {"region", R"({"lip_line": [[0, 0, 0], [1, 2, "3"]]})", "region.lip_line"},
            {"region", R"({"lip_line": [[0, 0, 0]]})", "region.lip_line"},
+           {"hinge", "[1, 2, 3]", "hinge"},
+           {"hinge", R"({"right": [-50, 0, 0]})", "hinge.left"},
+           {"hinge", R"({"right": [50, 0, 0], "left": [-50, 0, 0]})", "hinge.left"},
            {"history", "[]", "history"},
            {"tissue", R"({"generator": 1})", "tissue.generator"},
            {"tissue", R"({"load": false})", "tissue.load"},
@@ -527,6 +552,12 @@ TEST(CaseFile, RefusesValuesOutOfRangeWithTheKeysPath) {
             "segment.plate.width_direction"},
            {"photograph", R"({"obj": "a", "transform": {"scale": 0}})",
             "photograph.transform.scale"},
+           {"photograph", R"({"obj": "a", "landmarks": {"nasion": {}}})",
+            "photograph.landmarks.nasion.scan"},
+           {"photograph", R"({"obj": "a", "stable_vertices": "9-3"})",
+            "photograph.stable_vertices"},
+           {"photograph", R"({"obj": "a", "stable_vertices": "-3"})", "photograph.stable_vertices"},
+           {"photograph", R"({"obj": "a", "stable_vertices": ""})", "photograph.stable_vertices"},
            {"skin", R"({"opening_radius_mm": -1})", "skin.opening_radius_mm"},
            {"segment", R"({"box": {"centre": [0,0,0], "half_extents_mm": [1,0,1]}})",
             "segment.box.half_extents_mm"},

@@ -86,6 +86,7 @@ TEST_F(Report, TellsSizesHashesAndVersionsButNoPathAndNoName) {
   EXPECT_EQ(report["inputs"]["ct_sha256"], "ba7816bf");
   EXPECT_EQ(report["segments"][0]["forward_mm"], 5);
   EXPECT_EQ(report["sizes"]["tets"], model_->problem().tissue.mesh.tets.rows());
+  EXPECT_EQ(report["sizes"]["region_vertices_doubled_between_lips"], 0);
   EXPECT_EQ(report["element_quality"]["inverted"], 0);
   EXPECT_GT(report["landmarks"]["chin"]["moved_forward_mm"], 3);
   EXPECT_GT(report["peak_memory_MiB"], 10);
@@ -93,6 +94,19 @@ TEST_F(Report, TellsSizesHashesAndVersionsButNoPathAndNoName) {
   EXPECT_FALSE(report["program"]["version"].get<std::string>().empty());
   EXPECT_EQ(text.find(folder_.path().string()), std::string::npos);
   EXPECT_EQ(text.find("Mustermann"), std::string::npos);
+}
+
+TEST_F(Report, TellsHowManyVerticesTheLipSlitDoubles) {
+  // From side to side over the middle of the skin in front of the segment.
+  for (const double x : {-12.0, -6.0, 0.0, 6.0, 12.0}) {
+    plan_.region.lip_line.push_back(test::head_chin + Vector3d(x, 0, 0));
+  }
+  const FaceModel slit(head_, plan_.region, plan_.tissue, progress_);
+  const Prediction prediction = make_prediction(plan_, head_, slit, progress_);
+  const json report = json::parse(report_json(plan_, head_, prediction));
+  const auto doubled = report["sizes"]["region_vertices_doubled_between_lips"].get<std::size_t>();
+  EXPECT_EQ(doubled, prediction.answer.tissue->slit.size());
+  EXPECT_GE(doubled, 3U);
 }
 
 }  // namespace

@@ -7,10 +7,12 @@
 #include <iostream>
 #include <limits>
 
+#include "registration/stable_region.h"
 #include "registration/units.h"
 #include "support/expect_error.h"
 #include "support/scan_scene.h"
 #include "support/solids.h"
+#include "tissue/region_shape.h"
 
 namespace gnathion {
 namespace {
@@ -157,6 +159,58 @@ TEST(Registration, DoubtsAnotherExpressionAndKeepsToTheUpperFace) {
       scan.mesh, Head::get().target, beside(scan.lps_from_photograph, 5, 4), options, progress);
   EXPECT_TRUE(has(r, RegistrationDoubt::Kind::parts_differ)) << doubts_of(r);
   EXPECT_LT(largest_residual(r), 1.5);
+}
+
+/// The jaw 7 mm farther forward than in the CT, and a tight cap, 5 mm thick, down to the brows.
+TriangleMesh with_jaw_forward_and_cap(TriangleMesh face) {
+  const Points normals = vertex_normals(face);
+  for (Eigen::Index v = 0; v < face.vertices.rows(); ++v) {
+    const double z = face.vertices(v, 2);
+    face.vertices(v, 1) -= 7 * std::clamp((-25 - z) / 20, 0.0, 1.0);
+    face.vertices.row(v) += 5 * std::clamp((z - 36) / 6, 0.0, 1.0) * normals.row(v);
+  }
+  return face;
+}
+
+/// What a user paints between cap and mouth on a face in LPS, with a brush of 22 mm.
+std::vector<bool> painted(const TriangleMesh& face) {
+  const SurfaceBrush brush(face);
+  const BspTree tree(face);
+  Selection region(static_cast<std::size_t>(face.vertices.rows()));
+  for (const double z : {20.0, 0.0}) {
+    for (double x = -60; x <= 60; x += 15) {
+      const auto on = point_in_sight(tree, Vector3d(x, -400, z), Vector3d::UnitY());
+      for (const ReachedVertex& reached : brush.disc(*on, 22)) {
+        region[static_cast<std::size_t>(reached.vertex)] = true;
+      }
+    }
+  }
+  return region;
+}
+
+TEST(Registration, APaintedRegionHelpsWhereJawAndForeheadDiffer) {
+  const KnownScan scan =
+      misplaced(with_jaw_forward_and_cap(Head::get().photograph), {.outliers = 0}, 6);
+  RegistrationOptions options;
+  for (const LandmarkPair& pair : head_landmarks(scan.lps_from_photograph)) {
+    if (pair.name == "nasion_soft" || pair.name == "nose_tip") options.landmarks.push_back(pair);
+  }
+  const Similarity start = beside(scan.lps_from_photograph, 5, 4);
+  const auto fitted = [&](std::vector<bool> stable) {
+    options.stable = std::move(stable);
+    Progress progress;
+    return register_photograph(scan.mesh, Head::get().target, start, options, progress);
+  };
+  const double whole = largest_residual(fitted({}));
+  const double proposed =
+      largest_residual(fitted(upper_face(scan.mesh.vertices, start, Head::get().target, {})));
+  const Registration by_brush =
+      fitted(painted({moved(scan.mesh.vertices, scan.lps_from_photograph), scan.mesh.triangles}));
+  std::cout << "nose and nasion off: by the whole face " << whole << " mm, by the proposed region "
+            << proposed << " mm, by a painted one " << largest_residual(by_brush) << " mm\n";
+  EXPECT_LT(largest_residual(by_brush), 0.8);
+  EXPECT_GT(std::min(whole, proposed), 2 * largest_residual(by_brush));
+  EXPECT_TRUE(by_brush.trusted()) << doubts_of(by_brush);
 }
 
 TEST(Registration, DoubtsABall) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <thread>
 
+#include "core/scan/binary_fbx.h"
 #include "core/scan/scan_files.h"
 #include "geometry/triangle_mesh.h"
 #include "support/expect_error.h"
@@ -166,29 +167,16 @@ TEST(ReadScan, OfAnStlMakesOneVertexOfEachPlace) {
   EXPECT_EQ(document.mesh().surface.triangles, wanted);
 }
 
-/// Written by assimp from the square with its seam.
-class ByAssimp : public testing::TestWithParam<std::pair<const char*, const char*>> {};
-
-TEST_P(ByAssimp, KeepsPlacesCornersAndMaterials) {
-  const auto [id, ending] = GetParam();
-  const TemporaryFolder folder;
-  folder.write("skin.png", picture_bytes(".png"));
-  folder.write("mats.mtl", "newmtl skin\nKd 1 1 1\nmap_Kd skin.png\nnewmtl lip\nKd 1 0 0\n");
-  const fs::path obj =
-      folder.write("in.obj",
-                   "mtllib mats.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.5\nvt 0 0\nvt 1 0\nvt 1 1\n"
-                   "vt 0.25 1\nvt 0 0.5\nusemtl skin\nf 1/1 2/2 3/3\nusemtl lip\nf 1/5 3/3 4/4\n");
-  Assimp::Importer importer;
-  Assimp::Exporter exporter;
-  const fs::path file = folder / (std::string("scan.") + ending);
-  ASSERT_EQ(exporter.Export(importer.ReadFile(obj.string(), 0), id, file.string()), AI_SUCCESS)
-      << exporter.GetErrorString();
-  const ObjDocument document = read(file);
-  const TexturedMesh& mesh = document.mesh();
+/// The square with its seam, however it was written: v 0 0 0, 1 0 0, 1 1 0, 0 1 0.5, two materials.
+void expect_square(const TexturedMesh& mesh) {
   EXPECT_EQ(mesh.surface.vertices.rows(), 4);
   ASSERT_EQ(mesh.surface.triangles.rows(), 2);
   EXPECT_NEAR(surface_area(mesh.surface), 0.5 + 0.5 * std::sqrt(1.5), 1e-6);
-  if (std::string(ending) == "off") return;  // has neither
+  EXPECT_NE(mesh.triangle_material[0], mesh.triangle_material[1]);
+}
+
+/// Corners with their texture coordinates, the first triangle with the picture skin.png.
+void expect_painted_square(const TexturedMesh& mesh, const fs::path& folder) {
   std::set<std::pair<double, double>> uv;
   for (int f = 0; f < 2; ++f) {
     for (int k = 0; k < 3; ++k) {
@@ -198,10 +186,53 @@ TEST_P(ByAssimp, KeepsPlacesCornersAndMaterials) {
     }
   }
   EXPECT_EQ(uv, (std::set<std::pair<double, double>>{{0, 0}, {1, 0}, {1, 1}, {0.25, 1}, {0, 0.5}}));
-  EXPECT_NE(mesh.triangle_material[0], mesh.triangle_material[1]);
   const Material& skin = mesh.materials[std::size_t(mesh.triangle_material[0])];
   EXPECT_EQ(skin.texture, folder / "skin.png");
   EXPECT_TRUE(mesh.materials[std::size_t(mesh.triangle_material[1])].texture.empty());
+}
+
+/// Written by assimp from the square.
+fs::path square_by_assimp(const TemporaryFolder& folder, const char* id,
+                          const std::string& ending) {
+  folder.write("skin.png", picture_bytes(".png"));
+  folder.write("mats.mtl", "newmtl skin\nKd 1 1 1\nmap_Kd skin.png\nnewmtl lip\nKd 1 0 0\n");
+  const fs::path obj =
+      folder.write("in.obj",
+                   "mtllib mats.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.5\nvt 0 0\nvt 1 0\nvt 1 1\n"
+                   "vt 0.25 1\nvt 0 0.5\nusemtl skin\nf 1/1 2/2 3/3\nusemtl lip\nf 1/5 3/3 4/4\n");
+  Assimp::Importer importer;
+  Assimp::Exporter exporter;
+  const fs::path file = folder / ("scan." + ending);
+  EXPECT_EQ(exporter.Export(importer.ReadFile(obj.string(), 0), id, file.string()), AI_SUCCESS)
+      << exporter.GetErrorString();
+  return file;
+}
+
+class ByAssimp : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+TEST_P(ByAssimp, KeepsPlacesCornersAndMaterials) {
+  const auto [id, ending] = GetParam();
+  const TemporaryFolder folder;
+  const ObjDocument document = read(square_by_assimp(folder, id, ending));
+  expect_square(document.mesh());
+  expect_painted_square(document.mesh(), folder.path());
+}
+
+TEST(ReadScan, OfABinaryFbxKeepsPlacesCornersAndMaterials) {
+  const TemporaryFolder folder;
+  folder.write("skin.png", picture_bytes(".png"));
+  const ObjDocument document =
+      read(folder.write("scan.fbx", test::square_as_binary_fbx("skin.png")));
+  expect_square(document.mesh());
+  expect_painted_square(document.mesh(), folder.path());
+}
+
+TEST(ReadScan, OfA3mfKeepsPlacesAndMaterials) {
+  const TemporaryFolder folder;
+  const ObjDocument document = read(square_by_assimp(folder, "3mf", "3mf"));
+  expect_square(document.mesh());
+  EXPECT_EQ(document.mesh().materials[std::size_t(document.mesh().triangle_material[1])].name,
+            "id1_lip");
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, ByAssimp,

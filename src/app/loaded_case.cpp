@@ -35,6 +35,7 @@ bool same_but_for_motions(const SurgicalCase& a, const SurgicalCase& b) {
   for (std::size_t s = 0; s < a.segments.size(); ++s) {
     moved.segments[s].motion = a.segments[s].motion;
   }
+  moved.hinge = a.hinge;
   return a == moved;
 }
 

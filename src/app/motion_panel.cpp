@@ -140,7 +140,7 @@ void MotionPanel::connect_widgets() {
   for (QDoubleSpinBox* box : axis_boxes_) box->setRange(-9999, 9999);
   connect(ui_->axis_button, &QToolButton::toggled, ui_->axis_group, &QWidget::setVisible);
   connect(ui_->axis_use_button, &QPushButton::clicked, this, &MotionPanel::type_hinge);
-  connect(ui_->axis_find_button, &QPushButton::clicked, this, &MotionPanel::find_condyles);
+  connect(ui_->axis_find_button, &QPushButton::clicked, this, &MotionPanel::forget_hinge);
   connect(ui_->ghost_check, &QCheckBox::toggled, this, &MotionPanel::show_in_view);
 }
 
@@ -172,6 +172,7 @@ void MotionPanel::connect_to(CaseController& controller, FaceView& view) {
     show_hinge();
     show_in_view();
   });
+  connect(&controller, &CaseController::history_changed, this, &MotionPanel::take_hinge);
   connect(&controller, &CaseController::active_segment_changed, this, &MotionPanel::show_segment);
   connect(&watch_, &CollisionWatch::found, this, &MotionPanel::show_collisions);
   connect(&finding_, &BackgroundTask::failed, this, [this](const Failure& failure) {
@@ -206,9 +207,7 @@ void MotionPanel::show_case() {
   watch_.watch(controller_->shared_case());
   if (controller_->has_segments()) {
     watch_.look(controller_->response().poses);
-    const bool same_bone = hinge_case_ && hinge_case_->plan.ct == controller_->loaded().plan.ct &&
-                           hinge_case_->plan.bone == controller_->loaded().plan.bone;
-    if (!same_bone) find_condyles();
+    take_hinge();
     view_->set_active_segment(controller_->active_segment());
     show_segment();
   }
@@ -336,6 +335,33 @@ void MotionPanel::set_pivot(const std::optional<Eigen::Vector3d>& pivot) {
   ui_->pivot_note->show();
 }
 
+/// The axis of the plan, or else that of the bone.
+void MotionPanel::take_hinge() {
+  if (!controller_->has_segments() || controller_->is_editing()) return;
+  const std::optional<HingeAxis>& given = controller_->plan().hinge;
+  if (given) {
+    if (hinge_ == given && hinge_is_given_) return;
+    hinge_is_given_ = true;
+    finding_.cancel();
+    put_hinge(given, tr("Axis through two typed points, %1 mm apart.")
+                         .arg(fixed((given->left - given->right).norm(), 0)));
+    return;
+  }
+  const bool same_bone = hinge_case_ && hinge_case_->plan.ct == controller_->loaded().plan.ct &&
+                         hinge_case_->plan.bone == controller_->loaded().plan.bone;
+  if (same_bone && !hinge_is_given_) return;
+  hinge_is_given_ = false;
+  find_condyles();
+}
+
+/// Looks for the axis on the bone again.
+void MotionPanel::forget_hinge() {
+  SurgicalCase plan = controller_->plan();
+  if (!plan.hinge) return find_condyles();
+  plan.hinge.reset();
+  controller_->edit(tr("Find the hinge axis"), std::move(plan));
+}
+
 void MotionPanel::find_condyles() {
   hinge_case_ = controller_->shared_case();
   put_hinge({}, tr("The condyles are being looked for."));
@@ -362,21 +388,21 @@ void MotionPanel::put_hinge(const std::optional<HingeAxis>& hinge, const QString
 }
 
 void MotionPanel::type_hinge() {
-  constexpr double least_mm = 20;
-  finding_.cancel();
   HingeAxis hinge;
   for (int k = 0; k < 3; ++k) {
     hinge.right[k] = axis_boxes_[static_cast<std::size_t>(k)]->value();
     hinge.left[k] = axis_boxes_[static_cast<std::size_t>(k) + 3]->value();
   }
-  if (hinge.left.x() - hinge.right.x() < least_mm) {
+  if (hinge.left.x() - hinge.right.x() < least_hinge_mm) {
     ui_->hinge_note->setText(
         tr("The left point must lie at least %1 mm to the patient's left (x) of the right one.")
-            .arg(least_mm));
+            .arg(least_hinge_mm));
     return;
   }
-  put_hinge(hinge, tr("Axis through two typed points, %1 mm apart.")
-                       .arg(fixed((hinge.left - hinge.right).norm(), 0)));
+  SurgicalCase plan = controller_->plan();
+  plan.hinge = hinge;
+  if (plan == controller_->plan()) return;
+  controller_->edit(tr("Set the hinge axis"), std::move(plan));
 }
 
 void MotionPanel::show_hinge() {

@@ -74,6 +74,8 @@ class MotionPanel : public QWidget {
   void show_hinge();
   void edit_hinge(double degrees);
   void type_hinge();
+  void take_hinge();
+  void forget_hinge();
   void put_hinge(const std::optional<HingeAxis>& hinge, const QString& note);
   void show_collisions();
   void click_segment(QPoint pixel);
@@ -91,6 +93,7 @@ class MotionPanel : public QWidget {
   bool turns_ = true;
   std::optional<JawMotion> turned_from_;  ///< what a ring that is held began with
   std::optional<HingeAxis> hinge_;
+  bool hinge_is_given_ = false;  ///< in the plan; else found on the bone
   std::shared_ptr<const LoadedCase> hinge_case_;  ///< in which it was looked for
   QPoint pressed_at_;
   GhostBones ghost_;

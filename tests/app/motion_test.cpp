@@ -288,6 +288,11 @@ void MotionTest::hingeAxisCanBeTyped() {
   QCOMPARE(hinge.left.x(), 48.0);
   QCOMPARE(hinge.left.y(), -20.0);
   QVERIFY(label("hinge_note").contains("typed"));
+  QVERIFY(model().plan().hinge == hinge);  // it is kept with the case, and a step
+  trigger("undo_action");
+  QVERIFY(!model().plan().hinge && !box("hinge_box")->isEnabled());
+  trigger("redo_action");
+  QVERIFY(*find<MotionPanel>("motion_panel")->hinge() == hinge);
   type("hinge_box", "5");
   QVERIFY(distance(model().response().poses[0], with_hinge_angle({}, hinge, 5)) < 1e-11);
   // The wrong way round is refused.

@@ -14,6 +14,9 @@ struct HingeAxis {
   bool operator==(const HingeAxis&) const = default;
 };
 
+/// Points nearer than this across the patient, mm, are no condyles.
+inline constexpr double least_hinge_mm = 20;
+
 /// How far a motion turns about the hinge's direction, in degrees; positive closes the mouth (the
 /// chin rises), as pitch does. It is the twist of the rotation about that direction: for a turn
 /// about the hinge alone its angle, for a translation 0.

@@ -13,6 +13,7 @@
 #include "bench/limits.h"
 #include "bench/mesh_peers.h"
 #include "bench/models.h"
+#include "bench/photographs.h"
 #include "bench/registration.h"
 #include "bench/scaling.h"
 #include "bench/scans.h"
@@ -37,10 +38,10 @@ int main(int argc, char** argv) {
   long largest = 1000000;
   app.add_option("folder", folder, "for tables (CSV) and plots (SVG)")->required();
   app.add_option("cases", cases, "case files: heads to mesh");
-  app.add_option(
-         "--only", only,
-         "hard, targets, calibration, models, meshes, elements, registration, scans, scaling, "
-         "frames; only when named: reference, calculix-reference")
+  app.add_option("--only", only,
+                 "hard, targets, calibration, models, meshes, elements, registration, scans, "
+                 "photographs, scaling, "
+                 "frames; only when named: reference, calculix-reference")
       ->take_all();
   app.add_option("--largest", largest, "tets of the largest patch of the scaling");
   CLI11_PARSE(app, argc, argv);
@@ -54,6 +55,7 @@ int main(int argc, char** argv) {
       {"elements", [&](const Report& report) { report_elements(report); }},
       {"registration", [&](const Report& report) { failed += report_registration(report, cases); }},
       {"scans", report_scans},
+      {"photographs", report_photographs},
       {"scaling", [&](const Report& report) { report_scaling(report, largest); }},
       {"frames", [&](const Report& report) { report_frames(report, cases); }},
       {"reference", [&](const Report& report) { report_reference(report, cases); }, true},

@@ -745,8 +745,8 @@
         <translation>Der ganze Platz für die Ansicht, die den Fokus hat, oder wieder für alle (Strg+M oder ein Doppelklick in eine Ansicht)</translation>
     </message>
     <message>
-        <source>Axial, coronal and sagittal slices of the CT beside the 3D view (F9)</source>
-        <translation>Axiale, koronale und sagittale Schichten des CT neben der 3D-Ansicht (F9)</translation>
+        <source>Axial, coronal and sagittal slices of the CT beside the 3D view (F9). Shift and the mouse over the 3D view show what lies there</source>
+        <translation>Axiale, koronale und sagittale Schichten des CT neben der 3D-Ansicht (F9). Umschalt und die Maus über der 3D-Ansicht zeigen, was dort liegt</translation>
     </message>
     <message>
         <source>&amp;Outlines</source>

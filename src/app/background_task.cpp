@@ -1,5 +1,6 @@
 #include "app/background_task.h"
 
+#include <sys/resource.h>
 #include <QMetaObject>
 #include <QtConcurrent>
 #include <utility>
@@ -7,6 +8,17 @@
 #include "app/core_words.h"
 
 namespace gnathion {
+
+namespace {
+
+/// Where there are as many workers as processors, the window that draws comes first. On Linux a
+/// thread has a niceness of its own, which the threads that it starts take over.
+void yield_to_the_window() {
+  constexpr int niceness = 10;
+  setpriority(PRIO_PROCESS, 0, niceness);
+}
+
+}  // namespace
 
 struct BackgroundTask::Run {
   explicit Run(Progress::Listener on_stage, Progress::NoticeListener on_notice)
@@ -69,6 +81,7 @@ void BackgroundTask::wait() {
 }
 
 void BackgroundTask::execute(const std::shared_ptr<Run>& run, const Work& work) {
+  yield_to_the_window();
   try {
     run->progress.check();
     post(run, [this, publish = work(run->progress)] { conclude(publish); });

@@ -60,8 +60,7 @@ void CameraMouse::turn(double right_deg, double up_deg) {
   camera->Azimuth(right_deg);
   camera->Elevation(up_deg);
   camera->OrthogonalizeViewUp();
-  rest_.start();
-  emit moving(true);
+  hurry();
   emit moved();
 }
 
@@ -69,9 +68,13 @@ void CameraMouse::zoom(double factor) {
   vtkCamera* camera = renderer_->GetActiveCamera();
   const double distance = std::clamp(camera->GetDistance() / factor, nearest_mm, farthest_mm);
   camera->Dolly(camera->GetDistance() / distance);
+  hurry();
+  emit moved();
+}
+
+void CameraMouse::hurry() {
   rest_.start();
   emit moving(true);
-  emit moved();
 }
 
 }  // namespace gnathion

@@ -21,6 +21,8 @@ class CameraMouse : public QObject {
   void turn(double right_deg, double up_deg);
   /// Above 1: nearer, so that things look that much larger, within sensible distances.
   void zoom(double factor);
+  /// Frames are quick for a while, as if the camera moved: something else follows the mouse.
+  void hurry();
 
  signals:
   /// The camera begins to move, or rests again: frames should be quick meanwhile.

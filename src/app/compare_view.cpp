@@ -12,6 +12,7 @@
 #include "app/motion_words.h"
 #include "app/place_words.h"
 #include "geometry/section_chains.h"
+#include "render/segment_colours.h"
 
 namespace gnathion {
 namespace {
@@ -123,15 +124,14 @@ void CompareView::set_mode(CompareMode mode) {
 
 /// The face before and the bones at rest.
 void CompareView::fill_before() {
-  const Anatomy& anatomy = *shown_->anatomy;
+  const ReadyAnatomy& ready = *shown_->ready;
   FaceScene& before = scene_.before();
-  before.set_face(anatomy.face.mesh, anatomy.face.document.path().string(),
-                  anatomy.face.document.vertex_colours());
+  before.set_face(ready.face);
   before.remove_bones();
-  before.set_bone("skull", anatomy.remainder, skull_look, shown_->coarse_skull);
-  for (std::size_t s = 0; s < anatomy.segments.size(); ++s) {
-    before.set_bone("segment " + anatomy.segments[s].name, anatomy.segments[s].mesh, segment_look,
-                    shown_->coarse_segments[s]);
+  before.set_bone("skull", ready.skull, skull_look);
+  for (std::size_t s = 0; s < ready.segments.size(); ++s) {
+    before.set_bone("segment " + shown_->anatomy->segments[s].name, ready.segments[s],
+                    look_of_segment(s));
   }
   before_filled_ = true;
 }

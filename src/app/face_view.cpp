@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include <QVTKOpenGLNativeWidget.h>
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
@@ -56,6 +57,7 @@ FaceView::FaceView(QWidget* parent) : QWidget(parent), canvas_(new QVTKOpenGLNat
   window->AddRenderer(scene_.renderer());
   scene_.renderer()->UseFXAAOn();
   set_up_camera_mouse();
+  handle_.on_taken([this] { set_quick(true); });
   handle_.on_moved([this](const Eigen::Vector3d& translation) {
     // The grip draws the frame itself when this returns.
     dragging_ = true;
@@ -75,6 +77,12 @@ FaceView::FaceView(QWidget* parent) : QWidget(parent), canvas_(new QVTKOpenGLNat
   });
   render_timer_.setSingleShot(true);
   connect(&render_timer_, &QTimer::timeout, this, [this] { canvas_->renderWindow()->Render(); });
+  // Whoever draws a frame, as a grip does that is dragged: what was asked for is in it.
+  vtkNew<vtkCallbackCommand> begins;
+  begins->SetClientData(&render_timer_);
+  begins->SetCallback(
+      [](vtkObject*, unsigned long, void* timer, void*) { static_cast<QTimer*>(timer)->stop(); });
+  window->AddObserver(vtkCommand::StartEvent, begins);
 }
 
 FaceView::~FaceView() {
@@ -125,6 +133,20 @@ ViewPoint FaceView::view_point(QPoint pixel, Qt::KeyboardModifiers modifiers) co
   };
   const Eigen::Vector3d eye = world(0);
   return {pixel, eye, (world(1) - eye).normalized(), modifiers};
+}
+
+std::optional<Eigen::Vector3d> FaceView::place_at(QPoint pixel) const {
+  if (handle_.is_held() || !canvas_->rect().contains(pixel)) return {};
+  vtkRenderer* renderer = scene_.renderer();
+  const double ratio = canvas_->devicePixelRatioF();
+  const double x = ratio * (pixel.x() + 0.5), y = ratio * (canvas_->height() - pixel.y() - 0.5);
+  const double depth = renderer->GetZ(static_cast<int>(x), static_cast<int>(y));
+  constexpr double behind_the_marks = 0.011;  // nearer is what render/in_front.h draws
+  if (depth <= behind_the_marks || depth >= 1) return {};
+  renderer->SetDisplayPoint(x, y, depth);
+  renderer->DisplayToWorld();
+  const double* p = renderer->GetWorldPoint();
+  return Eigen::Vector3d(p[0] / p[3], p[1] / p[3], p[2] / p[3]);
 }
 
 bool FaceView::eventFilter(QObject* watched, QEvent* event) {
@@ -184,16 +206,15 @@ void FaceView::show_case(const LoadedCase& loaded) {
 }
 
 void FaceView::show_anatomy(const LoadedCase& loaded) {
-  const Face& face = loaded.anatomy->face;
-  scene_.set_face(face.mesh, face.document.path().string(), face.document.vertex_colours());
-  rest_ = face.mesh.surface.vertices;
+  const ReadyAnatomy& ready = *loaded.ready;
+  scene_.set_face(ready.face);
+  rest_ = loaded.anatomy->face.mesh.surface.vertices;
   scene_.remove_bones();
-  scene_.set_bone("skull", loaded.anatomy->remainder, skull_look, loaded.coarse_skull);
+  scene_.set_bone("skull", ready.skull, skull_look);
   segments_.clear();
   for (std::size_t s = 0; s < loaded.anatomy->segments.size(); ++s) {
-    const BoneSegment& segment = loaded.anatomy->segments[s];
-    segments_.push_back("segment " + segment.name);
-    scene_.set_bone(segments_[s], segment.mesh, look_of_segment(s), loaded.coarse_segments[s]);
+    segments_.push_back("segment " + loaded.anatomy->segments[s].name);
+    scene_.set_bone(segments_[s], ready.segments[s], look_of_segment(s));
   }
   set_bone_visible(bone_visible_);
   shown_anatomy_ = loaded.anatomy;
@@ -339,7 +360,11 @@ void FaceView::set_before_visible(bool visible) {
 }
 
 void FaceView::render_soon() {
-  if (isVisible() && !render_timer_.isActive()) render_timer_.start(0);
+  if (!isVisible() || render_timer_.isActive()) return;
+  // A grip that is dragged draws frame after frame: the next one takes along what is asked for
+  // here.
+  constexpr int next_frame_ms = 100;
+  render_timer_.start(dragging_ ? next_frame_ms : 0);
 }
 
 /// In a frame of the window's own that is never shown.

@@ -30,8 +30,7 @@ class FaceView : public QWidget {
   explicit FaceView(QWidget* parent = nullptr);
   ~FaceView() override;
 
-  /// Replaces everything shown, seen from the front. Throws as FaceScene::set_face; what was shown
-  /// is then unchanged.
+  /// Replaces everything shown by what was made ready beside the window.
   void show_case(const LoadedCase& loaded);
   /// The segment that the grips belong to: one of the case's.
   void set_active_segment(std::size_t segment);
@@ -75,6 +74,9 @@ class FaceView : public QWidget {
   ViewTool* tool() const { return tool_; }
   /// The line of sight through a place of the canvas (logical pixels).
   ViewPoint view_point(QPoint pixel, Qt::KeyboardModifiers modifiers = {}) const;
+  /// Where the surface lies that is seen at a place of the canvas (logical pixels), skin or bone,
+  /// mm, LPS, as in the frame drawn last; none beside the patient and on a grip.
+  std::optional<Eigen::Vector3d> place_at(QPoint pixel) const;
   /// Draws a frame when the event loop comes round: for whoever adds actors to renderer().
   void render_soon();
 

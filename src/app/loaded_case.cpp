@@ -3,29 +3,16 @@
 #include <future>
 #include <string>
 
-#include <vtkSmartPointer.h>
-#include <vtkTexture.h>
-
 #include "base/error.h"
 #include "demo/demo_case.h"
 #include "io/case_file.h"
 #include "io/files.h"
-#include "render/coarse_surface.h"
-#include "render/split_surface.h"
-#include "render/texture_image.h"
+#include "scan/scan_export.h"
 
 namespace gnathion {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// What FaceScene::set_face would refuse is refused here, while the case on screen is whole.
-void require_showable(const Face& face) {
-  check_face(face.mesh, face.document.path().string());
-  for (const Material& material : face.mesh.materials) {
-    if (!material.texture.empty()) load_texture(material.texture);
-  }
-}
 
 }  // namespace
 
@@ -61,13 +48,14 @@ bool same_anatomy(const SurgicalCase& a, const SurgicalCase& b) {
   return same_but_for_motions(a, other);
 }
 
-/// Reads and cuts, and makes the bones for quick frames.
-void add_anatomy(LoadedCase& loaded, const LoadedCase* known, Progress& progress) {
+/// Reads and cuts. What cannot be shown is refused here, while the case on screen is whole.
+std::shared_ptr<const ReadyFace> add_anatomy(LoadedCase& loaded, const LoadedCase* known,
+                                             Progress& progress) {
   std::optional<KnownAnatomy> known_anatomy;
   if (known != nullptr) known_anatomy.emplace(KnownAnatomy{known->plan, *known->anatomy});
   loaded.anatomy = std::make_shared<const Anatomy>(
       build_anatomy(loaded.plan, progress, known_anatomy ? &*known_anatomy : nullptr));
-  require_showable(loaded.anatomy->face);
+  return ready_face_of(*loaded.anatomy);
 }
 
 /// What the face follows by, or why it cannot.
@@ -92,26 +80,21 @@ std::shared_ptr<const LoadedCase> load_case(const SurgicalCase& plan, const Load
                                             Progress& progress) {
   auto loaded = std::make_shared<LoadedCase>();
   loaded->plan = plan;
-  std::future<void> coarse;  // its destructor waits for its thread
+  // Its destructor waits for its thread.
+  std::future<std::shared_ptr<const ReadyAnatomy>> ready;
   if (known != nullptr && same_anatomy(known->plan, plan)) {
     loaded->anatomy = known->anatomy;
-    loaded->coarse_skull = known->coarse_skull;
-    loaded->coarse_segments = known->coarse_segments;
+    loaded->ready = known->ready;
   } else {
-    add_anatomy(*loaded, known, progress);
-    coarse = std::async(std::launch::async, [anatomy = loaded->anatomy, &loaded] {
-      loaded->coarse_skull = coarse_triangles(anatomy->remainder, kQuickSkull);
-      for (const BoneSegment& segment : anatomy->segments) {
-        loaded->coarse_segments.push_back(coarse_triangles(segment.mesh, kQuickSegment));
-      }
-    });
+    const std::shared_ptr<const ReadyFace> face = add_anatomy(*loaded, known, progress);
+    ready = std::async(std::launch::async, ready_anatomy, loaded->anatomy, face);
   }
   const std::shared_ptr<const Anatomy> anatomy = loaded->anatomy;
   add_model(*loaded, known, progress);
   loaded->landmarks =
       FaceLandmarks(loaded->plan.landmarks, anatomy->face.mesh.surface, anatomy->segments);
   const auto stage = progress.stage("bones for quick frames");
-  if (coarse.valid()) coarse.get();
+  if (ready.valid()) loaded->ready = ready.get();
   progress.check();
   return loaded;
 }

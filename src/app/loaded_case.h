@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "app/ready_anatomy.h"
 #include "plan/history.h"
 #include "prediction/report.h"
 
@@ -20,8 +21,7 @@ struct LoadedCase {
   std::shared_ptr<const FaceModel> model;  ///< null: the face cannot follow yet
   std::optional<Error> no_model;           ///< why; none with a model, or without segments
   FaceLandmarks landmarks;
-  Triangles coarse_skull;                  ///< of the remainder, for frames while something moves
-  std::vector<Triangles> coarse_segments;  ///< of the segments, likewise
+  std::shared_ptr<const ReadyAnatomy> ready;  ///< of the anatomy, for the views
 };
 
 /// Computes all that a drag needs, on the calling thread and one helper; what the plan has in

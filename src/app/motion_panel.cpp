@@ -217,7 +217,7 @@ void MotionPanel::show_case() {
 
 void MotionPanel::show_segment() {
   const std::size_t s = controller_->active_segment();
-  ghost_.set_bone(active_bone().mesh.vertices, controller_->loaded().coarse_segments[s]);
+  ghost_.set_bone(active_bone().mesh.vertices, controller_->loaded().ready->coarse_segments[s]);
   show_pivot();
   show_hinge();
   show_in_view();

@@ -218,7 +218,7 @@ void SliceView::paint_outlines(QPainter& painter) {
   painter.translate(zero);
   painter.scale(scale(), scale());
   for (const Outline& outline : outlines_) {
-    QPen pen(outline.colour, 1);
+    QPen pen(outline.colour, devicePixelRatioF());  // of a cosmetic pen: in the screen's own pixels
     pen.setCosmetic(true);
     painter.setPen(pen);
     painter.drawLines(outline.lines);

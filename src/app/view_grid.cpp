@@ -126,18 +126,16 @@ std::string ViewGrid::segment_words(const BoneSegment& segment) {
 
 /// The case's surfaces at rest; the motion is set when it rests.
 void ViewGrid::take_surfaces() {
-  const std::shared_ptr<const Anatomy> anatomy = controller_->loaded().anatomy;
-  const auto shared = [&](const TriangleMesh& mesh) {
-    return std::shared_ptr<const TriangleMesh>(anatomy, &mesh);
-  };
+  const LoadedCase& loaded = controller_->loaded();
+  const ReadyAnatomy& ready = *loaded.ready;
   scene_.remove_surfaces();
-  scene_.set_surface(tr("Bone that stays").toStdString(), shared(anatomy->remainder), bone_colour);
-  for (const BoneSegment& segment : anatomy->segments) {
-    scene_.set_surface(segment_words(segment), shared(segment.mesh), segment_colour);
+  scene_.set_surface(tr("Bone that stays").toStdString(), ready.skull_section, bone_colour);
+  for (std::size_t s = 0; s < ready.segment_sections.size(); ++s) {
+    scene_.set_surface(segment_words(loaded.anatomy->segments[s]), ready.segment_sections[s],
+                       segment_colour);
   }
-  const TriangleMesh& face = anatomy->face.mesh.surface;
-  scene_.set_surface(tr("Skin before").toStdString(), shared(face), before_colour);
-  scene_.set_surface(tr("Skin predicted").toStdString(), shared(face), predicted_colour);
+  scene_.set_surface(tr("Skin before").toStdString(), ready.face_section, before_colour);
+  scene_.set_surface(tr("Skin predicted").toStdString(), ready.face_section, predicted_colour);
   scene_.set_surface_visible(tr("Skin predicted").toStdString(), false);
   rest_.start();
   for (SliceView* view : slices()) view->outlines_changed();
@@ -265,7 +263,20 @@ void ViewGrid::lay_out() {
   face_view_->render_soon();
 }
 
+/// Shift and the mouse, as users of other programs know it. A tool may mean something else by it.
+void ViewGrid::point_at(const QMouseEvent& mouse) {
+  if (mouse.modifiers() != Qt::ShiftModifier || mouse.buttons() != Qt::NoButton) return;
+  if (!slices_shown() || face_view_->tool() != nullptr) return;
+  const auto place = face_view_->place_at(mouse.pos());
+  if (!place) return;
+  face_view_->camera_mouse().hurry();
+  set_crosshair(*place);
+}
+
 bool ViewGrid::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::MouseMove && watched == face_view_->canvas()) {
+    point_at(*static_cast<QMouseEvent*>(event));
+  }
   if (event->type() == QEvent::MouseButtonDblClick && watched == face_view_->canvas() &&
       static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton) {
     maximise(maximised_ == face_view_ ? nullptr : face_view_);

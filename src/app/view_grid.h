@@ -13,6 +13,8 @@
 #include "render/scale_bar.h"
 #include "render/slice_scene.h"
 
+class QMouseEvent;
+
 namespace Ui {
 class ViewGrid;
 }
@@ -26,7 +28,8 @@ class SliceView;
 
 /// The 3D view and beside it an axial, a coronal and a sagittal slice of the CT, linked by one
 /// crosshair and one window of Hounsfield units. A double click gives a view all the room, another
-/// gives it back. The slices follow the motion when it rests, so that a drag is not slowed.
+/// gives it back. Shift and the mouse over the 3D view set the crosshair where it points. The
+/// slices follow the motion when it rests, so that a drag is not slowed.
 class ViewGrid : public QWidget {
   Q_OBJECT
  public:
@@ -72,6 +75,7 @@ class ViewGrid : public QWidget {
   void take_case(bool another);
   void take_surfaces();
   void take_motion();
+  void point_at(const QMouseEvent& mouse);
   static std::string segment_words(const BoneSegment& segment);
   void show_hu_window();
 

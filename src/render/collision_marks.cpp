@@ -14,9 +14,12 @@
 #include <vtkTextProperty.h>
 
 #include "render/in_front.h"
+#include "render/pixel_ratio.h"
 
 namespace gnathion {
 namespace {
+
+constexpr int dot_size = 5;
 
 vtkSmartPointer<vtkTextActor> text_of(const PlacedWord& word) {
   auto text = vtkSmartPointer<vtkTextActor>::New();
@@ -51,7 +54,7 @@ struct CollisionMarks::Impl {
     dots->PickableOff();
     dots->VisibilityOff();
     dots->GetProperty()->SetColor(0.86, 0.05, 0.05);
-    dots->GetProperty()->SetPointSize(5);
+    dots->GetProperty()->SetPointSize(dot_size);
     dots->GetProperty()->LightingOff();
     allow_in_front(dots);
   }
@@ -73,6 +76,7 @@ CollisionMarks::~CollisionMarks() {
 void CollisionMarks::attach(vtkRenderer* renderer) {
   detach();
   impl_->renderer = renderer;
+  impl_->dots->GetProperty()->SetPointSize(static_cast<float>(dot_size * pixel_ratio(renderer)));
   renderer->AddActor(impl_->dots);
 }
 

@@ -18,6 +18,8 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
+#include "render/pixel_ratio.h"
+
 namespace gnathion {
 namespace {
 
@@ -46,11 +48,11 @@ struct Divider {
     mapper->SetInputData(data);
     actor->SetMapper(mapper);
     actor->GetProperty()->SetColor(1, 1, 1);
-    actor->GetProperty()->SetLineWidth(2);
     actor->PickableOff();
   }
 
-  void place(double fraction, int width, int height) {
+  void place(double fraction, int width, int height, double pixel_ratio) {
+    actor->GetProperty()->SetLineWidth(static_cast<float>(2 * pixel_ratio));
     vtkNew<vtkPoints> points;
     vtkNew<vtkCellArray> lines, triangles;
     const double x = fraction * width, y = 0.5 * height;
@@ -60,7 +62,9 @@ struct Divider {
     const vtkIdType line[] = {point(0, -y), point(0, y)};
     lines->InsertNextCell(2, line);
     for (const double side : {-1.0, 1.0}) {
-      const vtkIdType arrow[] = {point(side * 4, -11), point(side * 16, 0), point(side * 4, 11)};
+      const double r = pixel_ratio;
+      const vtkIdType arrow[] = {point(side * 4 * r, -11 * r), point(side * 16 * r, 0),
+                                 point(side * 4 * r, 11 * r)};
       triangles->InsertNextCell(3, arrow);
     }
     data->SetPoints(points);
@@ -117,8 +121,10 @@ struct CompareScene::Impl {
     overlay_frame->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
       auto* impl = static_cast<Impl*>(self);
       const int* size = impl->overlay->GetSize();
-      impl->divider.place(impl->wipe, size[0], size[1]);
-      impl->blend_words->GetTextProperty()->SetFontSize(std::clamp(size[1] / 30, 13, 20));
+      const double ratio = pixel_ratio(impl->overlay);
+      impl->divider.place(impl->wipe, size[0], size[1], ratio);
+      const int font = std::clamp(static_cast<int>(size[1] / ratio / 30), 13, 20);
+      impl->blend_words->GetTextProperty()->SetFontSize(font);
     });
     overlay->AddObserver(vtkCommand::StartEvent, overlay_frame);
   }

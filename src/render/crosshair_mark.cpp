@@ -3,6 +3,8 @@
 #include <vtkActor2D.h>
 #include <vtkRenderer.h>
 
+#include "render/pixel_ratio.h"
+
 namespace gnathion {
 namespace {
 
@@ -29,7 +31,7 @@ void CrosshairMark::set_place(const Eigen::Vector3d& lps) {
 }
 
 void CrosshairMark::prepare(vtkRenderer& renderer) {
-  lines_.set_width(2 * pixel_ratio(renderer));
+  lines_.set_width(2 * pixel_ratio(&renderer));
 }
 
 }  // namespace gnathion

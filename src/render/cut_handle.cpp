@@ -21,6 +21,7 @@
 #include <vtkSphereHandleRepresentation.h>
 
 #include "bone/cut_box.h"
+#include "render/pixel_ratio.h"
 
 namespace gnathion {
 namespace {
@@ -108,6 +109,7 @@ struct CutHandle::Impl {
     }
     for (const double sign : {-1.0, 1.0}) add_ball({GripKind::turn, 0, sign});
     set_up_shape();
+    set_size(1);
     place();
   }
 
@@ -117,7 +119,6 @@ struct CutHandle::Impl {
     auto ball = std::make_unique<Ball>();
     ball->owner = this;
     ball->grip = grip;
-    ball->shape->SetHandleSize(pixels(grip.kind));
     vtkProperty* property = ball->shape->GetProperty();
     const Eigen::Vector3d rgb = colour(grip.kind);
     property->SetColor(rgb.x(), rgb.y(), rgb.z());
@@ -135,6 +136,14 @@ struct CutHandle::Impl {
     balls.push_back(std::move(ball));
   }
 
+  void set_size(double pixel_ratio) {
+    for (const auto& ball : balls)
+      ball->shape->SetHandleSize(pixel_ratio * pixels(ball->grip.kind));
+    for (vtkActor* actor : {edges.Get(), line_actor.Get()}) {
+      actor->GetProperty()->SetLineWidth(static_cast<float>(2 * pixel_ratio));
+    }
+  }
+
   void set_up_shape() {
     const auto show = [](vtkActor* actor, vtkAlgorithm* source) {
       vtkNew<vtkPolyDataMapper> mapper;
@@ -149,7 +158,6 @@ struct CutHandle::Impl {
     sides->ForceTranslucentOn();
     for (vtkActor* actor : {edges.Get(), line_actor.Get()}) {
       actor->GetProperty()->LightingOff();
-      actor->GetProperty()->SetLineWidth(2);
     }
     line_actor->GetProperty()->SetColor(colour(GripKind::move).data());
     set_colour({0.18, 0.42, 0.78});
@@ -295,6 +303,7 @@ CutHandle::~CutHandle() {
 void CutHandle::attach(vtkRenderWindowInteractor* interactor, vtkRenderer* renderer) {
   detach();
   impl_->renderer = renderer;
+  impl_->set_size(pixel_ratio(renderer));
   for (vtkActor* actor : {impl_->sides.Get(), impl_->edges.Get(), impl_->line_actor.Get()}) {
     renderer->AddActor(actor);
   }

@@ -20,22 +20,20 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkRenderer.h>
 #include <vtkScalarBarActor.h>
 #include <vtkSmartPointer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkTexture.h>
-#include <vtkUnsignedCharArray.h>
 #include <Eigen/Geometry>
 
 #include "base/error.h"
 #include "geometry/triangle_mesh.h"
-#include "render/coarse_surface.h"
 #include "render/colour_map.h"
-#include "render/split_surface.h"
+#include "render/pixel_ratio.h"
+#include "render/ready_surface.h"
+#include "render/scene_renderer.h"
 #include "render/texture_image.h"
-#include "render/vtk_surface.h"
 #include "render/wrapped_words.h"
 
 namespace gnathion {
@@ -44,49 +42,35 @@ namespace {
 const Eigen::Vector3d background_low{0.71, 0.75, 0.80};
 const Eigen::Vector3d background_high{0.93, 0.945, 0.96};
 const Eigen::Vector3d ink{0.13, 0.17, 0.22};
-const Eigen::Vector3d skin{0.86, 0.70, 0.61};
 constexpr double pi = 3.14159265358979323846;
 constexpr double head_height = 255;  // mm, from the vertex to below an adult's chin
 constexpr double view_angle = 18;    // degrees: a portrait lens, little perspective distortion
 
-/// Rows of `source` in the order of `row_of`, as VTK's float tuples.
-void copy_rows(const Points& source, const std::vector<int>& row_of, vtkFloatArray* target) {
-  float* out = target->GetPointer(0);
-  for (const int row : row_of) {
-    for (int k = 0; k < 3; ++k) *out++ = static_cast<float>(source(row, k));
-  }
-  target->Modified();
+vtkSmartPointer<vtkFloatArray> copy_of(vtkFloatArray* array) {
+  auto copy = vtkSmartPointer<vtkFloatArray>::New();
+  copy->DeepCopy(array);
+  return copy;
 }
 
-vtkSmartPointer<vtkFloatArray> float_array(const char* name, int components, size_t tuples) {
-  auto array = vtkSmartPointer<vtkFloatArray>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
-  return array;
-}
-
-/// A surface on the graphics card and the face or bone vertices that its own were copied from.
+/// A surface in a scene.
 struct ShownSurface {
-  std::vector<int> vertex;
-  vtkSmartPointer<vtkFloatArray> points;
-  vtkSmartPointer<vtkFloatArray> normals;
+  const SurfaceArrays& arrays;
+  vtkSmartPointer<vtkFloatArray> points, normals;
   vtkNew<vtkPolyData> data;
   vtkNew<vtkPolyDataMapper> mapper;
   vtkNew<vtkActor> actor;
-  vtkSmartPointer<vtkTexture> texture;
-  vtkSmartPointer<vtkUnsignedCharArray> paint;  ///< colours of the vertices
-  Eigen::Vector3d plain_colour = skin;
 
-  ShownSurface(std::vector<int> vertex_of, const Triangles& triangles)
-      : vertex(std::move(vertex_of)),
-        points(float_array("positions", 3, vertex.size())),
-        normals(float_array("normals", 3, vertex.size())) {
+  /// from: outlives this. moves: with move_to(); otherwise nothing is copied.
+  ShownSurface(const SurfaceArrays& from, bool moves)
+      : arrays(from),
+        points(moves ? copy_of(from.points) : from.points),
+        normals(moves ? copy_of(from.normals) : from.normals) {
     vtkNew<vtkPoints> vtk_points;
     vtk_points->SetData(points);
     data->SetPoints(vtk_points);
     data->GetPointData()->SetNormals(normals);
-    data->SetPolys(cells_of(triangles));
+    data->GetPointData()->SetTCoords(from.uv);
+    data->SetPolys(from.cells);
     mapper->SetInputData(data);
     mapper->ScalarVisibilityOff();
     actor->SetMapper(mapper);
@@ -94,31 +78,21 @@ struct ShownSurface {
   }
 
   void move_to(const Points& positions, const Points& directions) {
-    copy_rows(positions, vertex, points);
-    copy_rows(directions, vertex, normals);
+    copy_rows(positions, arrays.vertex, points);
+    copy_rows(directions, arrays.vertex, normals);
     data->GetPoints()->Modified();
     data->Modified();
   }
 };
 
-/// Only the vertices that the triangles use.
-std::unique_ptr<ShownSurface> show_bone(const TriangleMesh& bone, const Points& normals,
-                                        const Triangles& triangles) {
-  std::vector<int> place(static_cast<size_t>(bone.vertices.rows()), -1);
-  std::vector<int> used;
-  Triangles renumbered(triangles.rows(), 3);
-  for (Eigen::Index i = 0; i < triangles.size(); ++i) {
-    int& known = place[static_cast<size_t>(triangles.data()[i])];
-    if (known < 0) {
-      known = static_cast<int>(used.size());
-      used.push_back(triangles.data()[i]);
-    }
-    renumbered.data()[i] = known;
-  }
-  auto shown = std::make_unique<ShownSurface>(std::move(used), renumbered);
-  shown->move_to(bone.vertices, normals);
-  return shown;
-}
+/// A part of the face, whole or coarse.
+struct ShownPart : ShownSurface {
+  vtkSmartPointer<vtkTexture> texture;
+  Eigen::Vector3d plain_colour;
+
+  explicit ShownPart(const ReadyFace::Part& part)
+      : ShownSurface(part.arrays, true), plain_colour(part.plain_colour) {}
+};
 
 void shine(vtkProperty* property, double ambient, double diffuse, double specular) {
   property->SetAmbient(ambient);
@@ -132,94 +106,19 @@ void set_colour(vtkProperty* property, const Eigen::Vector3d& rgb) {
   property->SetSpecularColor(1, 1, 1);
 }
 
-void add_texture(const SurfacePart& part, vtkTexture* texture, const Eigen::Vector3d& plain_colour,
-                 ShownSurface& shown) {
-  shown.plain_colour = plain_colour;
-  if (texture == nullptr) return;
-  shown.texture = texture;
-  auto uv = float_array("texture", 2, part.uv.size());
-  for (size_t i = 0; i < part.uv.size(); ++i) {
-    uv->SetTuple2(static_cast<vtkIdType>(i), part.uv[i].x(), part.uv[i].y());
-  }
-  shown.data->GetPointData()->SetTCoords(uv);
-}
+using ShownParts = std::vector<std::unique_ptr<ShownPart>>;
 
-std::unique_ptr<ShownSurface> show_part(const TexturedMesh& face, const SurfacePart& part) {
-  auto shown = std::make_unique<ShownSurface>(part.face_vertex, part.triangles);
-  if (part.material < 0) return shown;
-  const Material& material = face.materials[static_cast<size_t>(part.material)];
-  const bool textured = !material.texture.empty();
-  add_texture(part, !part.uv.empty() ? load_texture(material.texture) : nullptr,
-              textured ? skin : material.diffuse, *shown);
+ShownParts shown(const std::vector<ReadyFace::Part>& parts,
+                 std::map<vtkImageData*, vtkSmartPointer<vtkTexture>>& textures) {
+  ShownParts shown;
+  for (const ReadyFace::Part& part : parts) {
+    shown.push_back(std::make_unique<ShownPart>(part));
+    if (!part.texture) continue;
+    vtkSmartPointer<vtkTexture>& texture = textures[part.texture];
+    if (!texture) texture = texture_of(part.texture);
+    shown.back()->texture = texture;
+  }
   return shown;
-}
-
-/// Gives the surface the colours of its vertices: n×3, 0..1. No rows: none.
-void add_paint(const Points& colours, ShownSurface& shown) {
-  if (colours.rows() == 0) return;
-  shown.paint = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  shown.paint->SetName("paint");
-  shown.paint->SetNumberOfComponents(3);
-  shown.paint->SetNumberOfTuples(static_cast<vtkIdType>(shown.vertex.size()));
-  unsigned char* out = shown.paint->GetPointer(0);
-  for (const int row : shown.vertex) {
-    for (const double channel : colours.row(row)) {
-      *out++ = static_cast<unsigned char>(std::lround(255 * std::clamp(channel, 0.0, 1.0)));
-    }
-  }
-}
-
-/// The face with fewer triangles: its vertices that they use, and what is drawn.
-struct CoarseFace {
-  std::vector<int> vertex;  ///< rows of the face's vertices
-  TriangleMesh mesh;        ///< of these, all parts in one, for normals without seams
-  std::vector<std::unique_ptr<ShownSurface>> parts;  ///< rows of `vertex`
-
-  void move_to(const Points& face) {
-    for (std::size_t i = 0; i < vertex.size(); ++i) {
-      mesh.vertices.row(static_cast<Eigen::Index>(i)) = face.row(vertex[i]);
-    }
-    const Points normals = vertex_normals(mesh);
-    for (const auto& part : parts) part->move_to(mesh.vertices, normals);
-  }
-};
-
-/// Empty for a face that is drawn whole. `parts`: of the face, all of them shown in `fine`.
-CoarseFace coarse_face(const TexturedMesh& face, const std::vector<SurfacePart>& parts,
-                       const std::vector<std::unique_ptr<ShownSurface>>& fine) {
-  CoarseFace coarse;
-  const Eigen::Index whole = face.surface.triangles.rows();
-  if (whole <= kQuickFace) return coarse;
-  std::vector<int> place(static_cast<size_t>(face.surface.vertices.rows()), -1);
-  std::vector<Eigen::RowVector3i> triangles;
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    const auto share = static_cast<int>(parts[p].triangles.rows() * kQuickFace / whole);
-    SurfacePart part = coarse_part(parts[p], face.surface.vertices, std::max(share, 1));
-    for (int& v : part.face_vertex) {
-      int& known = place[static_cast<size_t>(v)];
-      if (known < 0) {
-        known = static_cast<int>(coarse.vertex.size());
-        coarse.vertex.push_back(v);
-      }
-      v = known;
-    }
-    for (Eigen::Index t = 0; t < part.triangles.rows(); ++t) {
-      Eigen::RowVector3i corners;
-      for (int c = 0; c < 3; ++c) {
-        corners[c] = part.face_vertex[static_cast<size_t>(part.triangles(t, c))];
-      }
-      triangles.push_back(corners);
-    }
-    coarse.parts.push_back(
-        std::make_unique<ShownSurface>(std::move(part.face_vertex), part.triangles));
-    add_texture(part, fine[p]->texture, fine[p]->plain_colour, *coarse.parts.back());
-  }
-  coarse.mesh.vertices.resize(static_cast<Eigen::Index>(coarse.vertex.size()), 3);
-  coarse.mesh.triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    coarse.mesh.triangles.row(static_cast<Eigen::Index>(t)) = triangles[t];
-  }
-  return coarse;
 }
 
 /// Right, up and away-from-viewer of a picture, as rows, in LPS.
@@ -330,9 +229,12 @@ namespace {
 
 /// values: mm, of the vertices that the surface's own were copied from.
 void colour(ShownSurface& shown, const Eigen::VectorXd& values, vtkLookupTable* table) {
-  auto scalars = float_array("mm", 1, shown.vertex.size());
-  for (size_t i = 0; i < shown.vertex.size(); ++i) {
-    scalars->SetValue(static_cast<vtkIdType>(i), static_cast<float>(values(shown.vertex[i])));
+  vtkNew<vtkFloatArray> scalars;
+  scalars->SetName("mm");
+  scalars->SetNumberOfTuples(static_cast<vtkIdType>(shown.arrays.vertex.size()));
+  for (size_t i = 0; i < shown.arrays.vertex.size(); ++i) {
+    scalars->SetValue(static_cast<vtkIdType>(i),
+                      static_cast<float>(values(shown.arrays.vertex[i])));
   }
   shown.data->GetPointData()->SetScalars(scalars);
   shown.mapper->SetLookupTable(table);
@@ -344,7 +246,7 @@ void colour(ShownSurface& shown, const Eigen::VectorXd& values, vtkLookupTable* 
 
 struct FaceScene::Impl {
   struct Bone {
-    TriangleMesh mesh;
+    std::shared_ptr<const ReadyBone> ready;
     RigidMotion pose;
     std::unique_ptr<ShownSurface> fine;
     std::unique_ptr<ShownSurface> coarse;  // null: none was given
@@ -357,7 +259,7 @@ struct FaceScene::Impl {
     }
   };
 
-  vtkNew<vtkRenderer> renderer;
+  vtkNew<SceneRenderer> renderer;
   vtkNew<vtkLightKit> lights;
   vtkNew<vtkScalarBarActor> bar;
   vtkSmartPointer<vtkTextActor> label = text_at(0.03, 0.97);
@@ -366,9 +268,11 @@ struct FaceScene::Impl {
   vtkNew<vtkCallbackCommand> before_render;
 
   std::string label_words;
+  std::shared_ptr<const ReadyFace> ready;  ///< null: no face
   TriangleMesh face;
-  std::vector<std::unique_ptr<ShownSurface>> parts;
-  CoarseFace coarse_face;
+  TriangleMesh coarse_face;
+  ShownParts parts;
+  ShownParts coarse_parts;      ///< none: the face is always drawn whole
   bool parts_outdated = false;  ///< the fine ones: the points have moved while coarse was drawn
   std::map<std::string, Bone> bones;
   bool face_visible = true;
@@ -415,21 +319,23 @@ struct FaceScene::Impl {
 
   /// Text grows with the picture, within what can be read and does not shout.
   void size_texts() {
-    const int height = renderer->GetSize()[1];
-    const int size = std::clamp(std::min(height / 26, renderer->GetSize()[0] / 42), 13, 24);
+    // Logical pixels, as fonts have them.
+    const double ratio = pixel_ratio(renderer);
+    const int width = static_cast<int>(renderer->GetSize()[0] / ratio);
+    const int height = static_cast<int>(renderer->GetSize()[1] / ratio);
+    const int size = std::clamp(std::min(height / 26, width / 42), 13, 24);
     const int small = std::max(11, size * 3 / 4);
     label->GetTextProperty()->SetFontSize(size);
     // A letter is about half as wide as its size; a fifth is left to the marks in the corner.
-    const int letters =
-        std::max(static_cast<int>(0.77 * renderer->GetSize()[0] / (0.52 * size)), 8);
+    const int letters = std::max(static_cast<int>(0.77 * width / (0.52 * size)), 8);
     label->SetInput(wrapped(label_words, letters).c_str());
     left_letter->GetTextProperty()->SetFontSize(small);
     right_letter->GetTextProperty()->SetFontSize(small);
     bar->GetTitleTextProperty()->SetFontSize(small);
     bar->GetLabelTextProperty()->SetFontSize(small);
-    const int bar_width = std::clamp(std::min(height / 8, renderer->GetSize()[0] / 7), 56, 90);
-    bar->SetMaximumWidthInPixels(bar_width);
-    bar->SetPosition(1 - (bar_width + 4.0) / std::max(renderer->GetSize()[0], bar_width + 4), 0.15);
+    const int bar_width = std::clamp(std::min(height / 8, width / 7), 56, 90);
+    bar->SetMaximumWidthInPixels(static_cast<int>(bar_width * ratio));
+    bar->SetPosition(1 - (bar_width + 4.0) / std::max(width, bar_width + 4), 0.15);
   }
 
   void prepare_frame() {
@@ -443,43 +349,43 @@ struct FaceScene::Impl {
     right_letter->SetInput(side_letters(right).c_str());
   }
 
-  bool draws_coarse_face() const { return coarse && !coarse_face.parts.empty(); }
+  bool draws_coarse_face() const { return coarse && !coarse_parts.empty(); }
 
-  std::vector<ShownSurface*> all_parts() const {
-    std::vector<ShownSurface*> all;
+  std::vector<ShownPart*> all_parts() const {
+    std::vector<ShownPart*> all;
     for (const auto& part : parts) all.push_back(part.get());
-    for (const auto& part : coarse_face.parts) all.push_back(part.get());
+    for (const auto& part : coarse_parts) all.push_back(part.get());
     return all;
   }
 
   /// What is drawn goes where the face is; what is not waits until it is drawn.
   void move_face() {
     parts_outdated = draws_coarse_face();
-    if (parts_outdated) {
-      coarse_face.move_to(face.vertices);
-      return;
+    if (parts_outdated) coarse_face.vertices = face.vertices(ready->coarse_vertex, Eigen::all);
+    const TriangleMesh& mesh = parts_outdated ? coarse_face : face;
+    const Points normals = vertex_normals(mesh);
+    for (const auto& part : parts_outdated ? coarse_parts : parts) {
+      part->move_to(mesh.vertices, normals);
     }
-    const Points normals = vertex_normals(face);
-    for (const auto& part : parts) part->move_to(face.vertices, normals);
   }
 
   void show_fine_or_coarse_face() {
     const bool shown = face_visible && face_opacity > 0;
     for (const auto& part : parts) part->actor->SetVisibility(shown && !draws_coarse_face());
-    for (const auto& part : coarse_face.parts) {
+    for (const auto& part : coarse_parts) {
       part->actor->SetVisibility(shown && draws_coarse_face());
     }
   }
 
   void refresh_face_look() {
-    for (ShownSurface* part : all_parts()) {
+    for (ShownPart* part : all_parts()) {
       vtkProperty* property = part->actor->GetProperty();
       const bool as_taken = face_textured && !colour_map;
-      const bool painted = as_taken && !part->texture && part->paint;
+      const bool painted = as_taken && !part->texture && part->arrays.vertex_colours;
       const bool photograph = as_taken && (part->texture || painted);
       part->actor->SetTexture(as_taken ? part->texture.Get() : nullptr);
       if (painted) {
-        part->data->GetPointData()->SetScalars(part->paint);
+        part->data->GetPointData()->SetScalars(part->arrays.vertex_colours);
         part->mapper->InterpolateScalarsBeforeMappingOff();  // they are colours, not values
       }
       part->mapper->SetScalarVisibility(colour_map || painted);
@@ -493,15 +399,21 @@ struct FaceScene::Impl {
       property->SetOpacity(face_opacity);
       property->SetBackfaceCulling(face_opacity < 1);
     }
+    for (const auto& part : coarse_parts) {
+      // What cannot be seen is half of what a software renderer draws.
+      if (ready->is_outward_closed) part->actor->GetProperty()->BackfaceCullingOn();
+    }
     show_fine_or_coarse_face();
     bar->SetVisibility(colour_map && face_visible);
   }
 
   void clear_face() {
-    for (const ShownSurface* part : all_parts()) renderer->RemoveActor(part->actor);
+    for (const ShownPart* part : all_parts()) renderer->RemoveActor(part->actor);
     parts.clear();
+    coarse_parts.clear();
     coarse_face = {};
     face = {};
+    ready.reset();
     colour_map = false;
     bar->VisibilityOff();
   }
@@ -511,6 +423,9 @@ struct FaceScene::Impl {
       set_colour(actor->GetProperty(), look.colour);
       shine(actor->GetProperty(), 0.10, 0.88, 0.12);
       actor->GetProperty()->SetOpacity(look.opacity);
+    }
+    if (bone.coarse && bone.ready->is_outward_closed && look.opacity == 1) {
+      bone.coarse->actor->GetProperty()->BackfaceCullingOn();
     }
   }
 
@@ -543,7 +458,7 @@ struct FaceScene::Impl {
     }
     for (const auto& [name, bone] : bones) {
       if (!bone.visible) continue;
-      all.push_back(moved(bone.mesh.vertices, bone.pose) * axes.transpose());
+      all.push_back(moved(bone.ready->vertices, bone.pose) * axes.transpose());
     }
     return all;
   }
@@ -558,31 +473,19 @@ vtkRenderer* FaceScene::renderer() const {
 
 void FaceScene::set_face(const TexturedMesh& face, const std::string& name,
                          const Points& vertex_colours) {
-  check_face(face, name);
-  if (vertex_colours.rows() != 0 && vertex_colours.rows() != face.surface.vertices.rows()) {
-    throw Error(ErrorKind::input, name, "colours and vertices differ in number",
-                "export the scan again");
-  }
-  const Points normals = vertex_normals(face.surface);
-  std::vector<std::unique_ptr<ShownSurface>> parts;
-  const std::vector<SurfacePart> split = split_by_corner(face);
-  for (const SurfacePart& part : split) {
-    parts.push_back(show_part(face, part));
-    parts.back()->move_to(face.surface.vertices, normals);
-    add_paint(vertex_colours, *parts.back());
-  }
-  CoarseFace coarse = coarse_face(face, split, parts);
-  if (vertex_colours.rows() > 0) {
-    const Points of_coarse = vertex_colours(coarse.vertex, Eigen::all);
-    for (const auto& part : coarse.parts) add_paint(of_coarse, *part);
-  }
-  coarse.move_to(face.surface.vertices);
+  set_face(ready_face(face, name, vertex_colours));
+}
+
+void FaceScene::set_face(std::shared_ptr<const ReadyFace> face) {
   impl_->clear_face();
-  impl_->face = face.surface;
-  impl_->parts = std::move(parts);
-  impl_->coarse_face = std::move(coarse);
+  impl_->ready = std::move(face);
+  impl_->face = impl_->ready->surface;
+  impl_->coarse_face = impl_->ready->coarse_mesh;
+  std::map<vtkImageData*, vtkSmartPointer<vtkTexture>> textures;
+  impl_->parts = shown(impl_->ready->whole, textures);
+  impl_->coarse_parts = shown(impl_->ready->coarse, textures);
   impl_->parts_outdated = false;
-  for (const ShownSurface* part : impl_->all_parts()) impl_->renderer->AddActor(part->actor);
+  for (const ShownPart* part : impl_->all_parts()) impl_->renderer->AddActor(part->actor);
   impl_->refresh_face_look();
 }
 
@@ -639,8 +542,8 @@ void FaceScene::show_colour_map(const Eigen::VectorXd& values, double half_range
   const double limit = half_range > 0 ? half_range : round_half_range(values);
   const auto table = diverging_table(limit);
   for (const auto& part : impl_->parts) colour(*part, values, table);
-  const Eigen::VectorXd on_coarse = values(impl_->coarse_face.vertex);
-  for (const auto& part : impl_->coarse_face.parts) colour(*part, on_coarse, table);
+  const Eigen::VectorXd on_coarse = values(impl_->ready->coarse_vertex);
+  for (const auto& part : impl_->coarse_parts) colour(*part, on_coarse, table);
   impl_->bar->SetLookupTable(table);
   impl_->bar->SetTitle(title.c_str());
   impl_->bar->SetLabelFormat(limit < 1 ? "%.2f" : "%.1f");
@@ -655,13 +558,17 @@ void FaceScene::hide_colour_map() {
 
 void FaceScene::set_bone(const std::string& name, const TriangleMesh& bone, const BoneLook& look,
                          const Triangles& coarse) {
-  check_surface(bone, name);
-  if (coarse.rows() > 0) check_surface({bone.vertices, coarse}, name);
+  set_bone(name, ready_bone(bone, name, coarse), look);
+}
+
+void FaceScene::set_bone(const std::string& name, std::shared_ptr<const ReadyBone> bone,
+                         const BoneLook& look) {
   Impl::Bone entry;
-  entry.mesh = bone;
-  const Points normals = vertex_normals(bone);
-  entry.fine = show_bone(bone, normals, bone.triangles);
-  if (coarse.rows() > 0) entry.coarse = show_bone(bone, normals, coarse);
+  entry.ready = std::move(bone);
+  entry.fine = std::make_unique<ShownSurface>(entry.ready->whole, false);
+  if (entry.ready->coarse.cells) {
+    entry.coarse = std::make_unique<ShownSurface>(entry.ready->coarse, false);
+  }
   Impl::apply_look(entry, look);
   impl_->apply_visibility(entry);
   remove_bone(name);
@@ -703,6 +610,7 @@ void FaceScene::set_coarse_bones(bool coarse) {
 void FaceScene::set_coarse(bool coarse) {
   if (coarse == impl_->coarse) return;
   impl_->coarse = coarse;
+  impl_->renderer->set_quick(coarse);
   const bool outdated = coarse ? impl_->draws_coarse_face() : impl_->parts_outdated;
   if (outdated) impl_->move_face();
   impl_->show_fine_or_coarse_face();

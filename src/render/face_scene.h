@@ -11,6 +11,9 @@ class vtkRenderer;
 
 namespace gnathion {
 
+struct ReadyBone;
+struct ReadyFace;
+
 /// Where the camera stands. Frame: LPS, patient upright (+z up in the picture).
 enum class CameraPreset {
   front,          ///< from anterior; the patient's left is on the picture's right
@@ -51,6 +54,9 @@ class FaceScene {
   /// vertex_colours: n×3, sRGB 0..1, shown where there is no texture; no rows: none.
   void set_face(const TexturedMesh& face, const std::string& name = "face",
                 const Points& vertex_colours = {});
+  /// The same with what ready_face() (render/ready_surface.h) made, on whatever thread: nothing is
+  /// left to be computed here.
+  void set_face(std::shared_ptr<const ReadyFace> face);
 
   /// New positions for the face's vertices, for live dragging: positions and normals only, nothing
   /// is rebuilt. points: n×3 as the face's own.
@@ -82,6 +88,9 @@ class FaceScene {
   /// none: the bone is always drawn whole. Throws Error(input) as check_surface().
   void set_bone(const std::string& name, const TriangleMesh& bone, const BoneLook& look,
                 const Triangles& coarse = {});
+  /// The same with what ready_bone() made.
+  void set_bone(const std::string& name, std::shared_ptr<const ReadyBone> bone,
+                const BoneLook& look);
   /// Names that the scene does not have are ignored, so that a view can be set before a case is.
   void set_bone_pose(const std::string& name, const RigidMotion& pose);
   void set_bone_visible(const std::string& name, bool visible);

@@ -15,16 +15,19 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
+#include "render/pixel_ratio.h"
+
 namespace gnathion {
 namespace {
 
 /// Points and lines given in the patient's frame, drawn in the picture's plane.
 struct Layer {
+  float size;  // logical pixels
   vtkNew<vtkPolyData> data;
   vtkNew<vtkPolyDataMapper2D> mapper;
   vtkNew<vtkActor2D> actor;
 
-  Layer(const Eigen::Vector3d& colour, float size) {
+  Layer(const Eigen::Vector3d& colour, float logical_pixels) : size(logical_pixels) {
     vtkNew<vtkCoordinate> world;
     world->SetCoordinateSystemToWorld();
     mapper->SetInputData(data);
@@ -32,8 +35,12 @@ struct Layer {
     actor->SetMapper(mapper);
     actor->PickableOff();
     actor->GetProperty()->SetColor(colour.x(), colour.y(), colour.z());
-    actor->GetProperty()->SetPointSize(size);
-    actor->GetProperty()->SetLineWidth(size);
+    set_size(1);
+  }
+
+  void set_size(double pixel_ratio) {
+    actor->GetProperty()->SetPointSize(static_cast<float>(pixel_ratio) * size);
+    actor->GetProperty()->SetLineWidth(static_cast<float>(pixel_ratio) * size);
   }
 };
 
@@ -94,6 +101,7 @@ LandmarkMarks::~LandmarkMarks() {
 void LandmarkMarks::attach(vtkRenderer* renderer) {
   detach();
   impl_->renderer = renderer;
+  for (Layer* layer : impl_->layers()) layer->set_size(pixel_ratio(renderer));
   impl_->add();
 }
 

@@ -14,26 +14,32 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
+#include "render/pixel_ratio.h"
+
 namespace gnathion {
 namespace {
 
 /// Points and lines given in the patient's frame, drawn in the picture's plane.
 struct Mark {
+  float size;  // logical pixels
   vtkNew<vtkPolyData> data;
   vtkNew<vtkPolyDataMapper2D> mapper;
   vtkNew<vtkActor2D> actor;
 
-  Mark(const Eigen::Vector3d& colour, float size) {
+  Mark(const Eigen::Vector3d& colour, float logical_pixels) : size(logical_pixels) {
     vtkNew<vtkCoordinate> world;
     world->SetCoordinateSystemToWorld();
     mapper->SetInputData(data);
     mapper->SetTransformCoordinate(world);
     actor->SetMapper(mapper);
     actor->PickableOff();
-    vtkProperty2D* look = actor->GetProperty();
-    look->SetColor(colour.x(), colour.y(), colour.z());
-    look->SetPointSize(size);
-    look->SetLineWidth(size);
+    actor->GetProperty()->SetColor(colour.x(), colour.y(), colour.z());
+    set_size(1);
+  }
+
+  void set_size(double pixel_ratio) {
+    actor->GetProperty()->SetPointSize(static_cast<float>(pixel_ratio) * size);
+    actor->GetProperty()->SetLineWidth(static_cast<float>(pixel_ratio) * size);
   }
 };
 
@@ -77,6 +83,9 @@ MeasureMarks::~MeasureMarks() {
 void MeasureMarks::attach(vtkRenderer* renderer) {
   detach();
   impl_->renderer = renderer;
+  for (Mark* mark : {&impl_->line_edge, &impl_->line, &impl_->dots_edge, &impl_->dots}) {
+    mark->set_size(pixel_ratio(renderer));
+  }
   for (vtkActor2D* actor : impl_->actors()) renderer->AddViewProp(actor);
 }
 

@@ -17,6 +17,8 @@
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
 
+#include "render/pixel_ratio.h"
+
 namespace gnathion {
 namespace {
 
@@ -133,7 +135,7 @@ void OrientationCube::prepare(vtkRenderer& renderer) {
   const Eigen::Vector3d away(camera->GetDirectionOfProjection());
   const Eigen::Vector3d right = away.cross(Eigen::Vector3d(camera->GetViewUp())).normalized();
   const std::vector<CubeFace> faces = visible_cube_faces(right, right.cross(away), away);
-  const double ratio = pixel_ratio(renderer);
+  const double ratio = pixel_ratio(&renderer);
   const Eigen::Vector2d size(renderer.GetSize()[0], renderer.GetSize()[1]);
   // The least circle that holds the cube is √3 times as wide as its side.
   const double scale = std::min(ratio * half_side, size.minCoeff() / 14);

@@ -12,7 +12,6 @@
 #include <vtkPolyDataMapper2D.h>
 #include <vtkProp.h>
 #include <vtkProperty2D.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
@@ -61,12 +60,6 @@ void Overlay::add(vtkProp* prop) {
   prop->PickableOff();
   impl_->props.emplace_back(prop);
   if (impl_->renderer != nullptr) impl_->renderer->AddViewProp(prop);
-}
-
-double Overlay::pixel_ratio(vtkRenderer& renderer) {
-  constexpr double logical_dpi = 72;  // VTK's, at which a font's size is its height in pixels
-  vtkRenderWindow* window = renderer.GetRenderWindow();
-  return window == nullptr ? 1 : window->GetDPI() / logical_dpi;
 }
 
 struct OverlayLines::Impl {

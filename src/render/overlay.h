@@ -31,8 +31,6 @@ class Overlay {
   void add(vtkProp* prop);
   /// Called before every frame in which the overlay is visible.
   virtual void prepare(vtkRenderer& renderer) = 0;
-  /// Pixels of the picture a logical one: more than 1 on screens of high resolution.
-  static double pixel_ratio(vtkRenderer& renderer);
 
  private:
   struct Impl;

@@ -17,6 +17,7 @@
 #include <vtkTypeInt64Array.h>
 
 #include "geometry/triangle_mesh.h"
+#include "render/pixel_ratio.h"
 #include "render/vtk_surface.h"
 
 namespace gnathion {
@@ -165,17 +166,27 @@ struct RegionOverlay::Impl {
       layer->actor->ForceTranslucentOn();
     }
     rim.set_up(mark_points, rim_colour);
-    rim.actor->GetProperty()->SetLineWidth(3);
     faults.set_up(mark_points, fault_colour);
-    faults.actor->GetProperty()->SetPointSize(6);
     for (std::size_t i = 0; i < supports.size(); ++i) {
       supports[i].set_up(mark_points, colour_of(support_marks[i]));
-      supports[i].actor->GetProperty()->SetPointSize(static_cast<float>(size_of(support_marks[i])));
     }
     cursor.set_up(cursor_points, paint_colour);
-    cursor.actor->GetProperty()->SetLineWidth(2);
     halo.set_up(halo_points, halo_colour);
-    halo.actor->GetProperty()->SetLineWidth(5);
+    set_size(1);
+  }
+
+  /// Of lines and dots.
+  void set_size(double pixel_ratio) {
+    const auto pixels = [pixel_ratio](double logical) {
+      return static_cast<float>(pixel_ratio * logical);
+    };
+    rim.actor->GetProperty()->SetLineWidth(pixels(3));
+    cursor.actor->GetProperty()->SetLineWidth(pixels(2));
+    halo.actor->GetProperty()->SetLineWidth(pixels(5));
+    faults.actor->GetProperty()->SetPointSize(pixels(6));
+    for (std::size_t i = 0; i < supports.size(); ++i) {
+      supports[i].actor->GetProperty()->SetPointSize(pixels(size_of(support_marks[i])));
+    }
   }
 
   std::vector<Layer*> layers() {
@@ -202,6 +213,7 @@ RegionOverlay::~RegionOverlay() {
 void RegionOverlay::attach(vtkRenderer* renderer) {
   detach();
   impl_->renderer = renderer;
+  impl_->set_size(pixel_ratio(renderer));
   for (Layer* layer : impl_->layers()) renderer->AddActor(layer->actor);
 }
 

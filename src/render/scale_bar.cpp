@@ -11,6 +11,8 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
+#include "render/pixel_ratio.h"
+
 namespace gnathion {
 namespace {
 
@@ -65,7 +67,7 @@ ScaleBar::~ScaleBar() {
 }
 
 void ScaleBar::prepare(vtkRenderer& renderer) {
-  const double ratio = pixel_ratio(renderer);
+  const double ratio = pixel_ratio(&renderer);
   const double width = renderer.GetSize()[0];
   const double scale = pixels_per_mm(renderer);
   const double mm = scale_bar_mm(scale, most_of_the_width * width);

@@ -16,6 +16,7 @@
 #include <vtkSphereHandleRepresentation.h>
 
 #include "render/grip_colours.h"
+#include "render/pixel_ratio.h"
 #include "render/turning_rings.h"
 
 namespace gnathion {
@@ -66,11 +67,13 @@ struct SegmentHandle::Impl {
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
   std::optional<Eigen::Vector3d> pivot;
   std::optional<int> lock;
+  std::function<void()> taken;
   Listener moved;
   Listener released;
 
   Impl() {
     for (size_t i = 0; i < grips.size(); ++i) set_up(grips[i], grip_kinds[i]);
+    set_size(1);
     rings.on_released([this] {
       if (released) released(translation);
     });
@@ -81,7 +84,6 @@ struct SegmentHandle::Impl {
     grip.owner = this;
     grip.offset = kind.offset;
     grip.axis = kind.axis;
-    grip.ball->SetHandleSize(kind.pixels);
     grip.ball->SetTranslationAxis(kind.axis);
     colour_grip(grip.ball->GetProperty(), kind.colour);
     colour_grip(grip.ball->GetSelectedProperty(), Eigen::Vector3d::Ones());
@@ -90,6 +92,7 @@ struct SegmentHandle::Impl {
     grip.widget->SetEnableAxisConstraint(0);  // Shift belongs to the camera
     grip.command->SetClientData(&grip);
     grip.command->SetCallback(&Impl::hear);
+    grip.widget->AddObserver(vtkCommand::StartInteractionEvent, grip.command);
     grip.widget->AddObserver(vtkCommand::InteractionEvent, grip.command);
     grip.widget->AddObserver(vtkCommand::EndInteractionEvent, grip.command);
     vtkNew<vtkPolyDataMapper> mapper;
@@ -97,13 +100,23 @@ struct SegmentHandle::Impl {
     grip.line_actor->SetMapper(mapper);
     grip.line_actor->PickableOff();
     colour_grip(grip.line_actor->GetProperty(), kind.colour);
-    grip.line_actor->GetProperty()->SetLineWidth(2);
     grip.line_actor->GetProperty()->LightingOff();
+  }
+
+  void set_size(double pixel_ratio) {
+    for (size_t i = 0; i < grips.size(); ++i) {
+      grips[i].ball->SetHandleSize(pixel_ratio * grip_kinds[i].pixels);
+      grips[i].line_actor->GetProperty()->SetLineWidth(static_cast<float>(2 * pixel_ratio));
+    }
   }
 
   static void hear(vtkObject*, unsigned long event, void* client, void*) {
     auto& grip = *static_cast<Grip*>(client);
     Impl& self = *grip.owner;
+    if (event == vtkCommand::StartInteractionEvent) {
+      if (self.taken) self.taken();
+      return;
+    }
     const Eigen::Vector3d at(grip.ball->GetWorldPosition());
     self.translation = at - grip.offset - self.home;
     self.place();
@@ -146,6 +159,7 @@ SegmentHandle::~SegmentHandle() {
 void SegmentHandle::attach(vtkRenderWindowInteractor* interactor, vtkRenderer* renderer) {
   detach();
   impl_->renderer = renderer;
+  impl_->set_size(pixel_ratio(renderer));
   for (Impl::Grip& grip : impl_->grips) {
     renderer->AddActor(grip.line_actor);
     grip.widget->SetInteractor(interactor);
@@ -208,6 +222,11 @@ bool SegmentHandle::is_held() const {
     return impl_->is_there(grip) &&
            grip.ball->GetInteractionState() != vtkHandleRepresentation::Outside;
   });
+}
+
+void SegmentHandle::on_taken(std::function<void()> listener) {
+  impl_->taken = listener;
+  impl_->rings.on_taken(std::move(listener));
 }
 
 void SegmentHandle::on_moved(Listener listener) {

@@ -49,6 +49,8 @@ class SegmentHandle {
   /// Whether the mouse is on a grip or holds one.
   bool is_held() const;
 
+  /// Called when a grip or a ring is taken, before the frame that shows it.
+  void on_taken(std::function<void()> listener);
   /// Called for every step of a drag.
   void on_moved(Listener listener);
   /// Called once when the mouse button is let go, after the last on_moved: one undo step.

@@ -13,6 +13,8 @@
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
+#include "render/pixel_ratio.h"
+
 namespace gnathion {
 namespace {
 
@@ -32,10 +34,11 @@ struct Stroke {
   vtkNew<vtkPolyDataMapper> mapper;
   vtkNew<vtkActor> actor;
 
-  double lift;  // mm off the skin
+  float width, dot;  // logical pixels
+  double lift;       // mm off the skin
 
-  Stroke(const std::array<double, 3>& colour, float width, float dot, double lift_mm)
-      : lift(lift_mm) {
+  Stroke(const std::array<double, 3>& colour, float line_width, float dot_size, double lift_mm)
+      : width(line_width), dot(dot_size), lift(lift_mm) {
     mapper->SetInputData(data);
     actor->SetMapper(mapper);
     actor->PickableOff();
@@ -43,8 +46,12 @@ struct Stroke {
     vtkProperty* property = actor->GetProperty();
     property->LightingOff();
     property->SetColor(colour[0], colour[1], colour[2]);
-    property->SetLineWidth(width);
-    property->SetPointSize(dot);
+    set_size(1);
+  }
+
+  void set_size(double pixel_ratio) {
+    actor->GetProperty()->SetLineWidth(static_cast<float>(pixel_ratio) * width);
+    actor->GetProperty()->SetPointSize(static_cast<float>(pixel_ratio) * dot);
   }
 };
 
@@ -64,7 +71,10 @@ SkinLine::~SkinLine() {
 void SkinLine::attach(vtkRenderer* renderer) {
   detach();
   impl_->renderer = renderer;
-  for (Stroke* stroke : {&impl_->dark, &impl_->light}) renderer->AddActor(stroke->actor);
+  for (Stroke* stroke : {&impl_->dark, &impl_->light}) {
+    stroke->set_size(pixel_ratio(renderer));
+    renderer->AddActor(stroke->actor);
+  }
 }
 
 void SkinLine::detach() {

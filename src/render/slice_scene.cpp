@@ -44,12 +44,12 @@ SliceScene::Surface* SliceScene::find(const std::string& name) {
   return found == surfaces_.end() ? nullptr : &*found;
 }
 
-void SliceScene::set_surface(const std::string& name, std::shared_ptr<const TriangleMesh> surface,
+void SliceScene::set_surface(const std::string& name, std::shared_ptr<const PlaneSection> surface,
                              const Eigen::Vector3d& colour) {
-  for (Eigen::Index v = 0; v < surface->vertices.rows(); ++v) {
-    around_.extend(surface->vertices.row(v).transpose());
-  }
-  Surface added{name, PlaneSection(std::move(surface)), colour, {}, true};
+  const Points& vertices = surface->surface().vertices;
+  around_.extend(vertices.colwise().minCoeff().transpose());
+  around_.extend(vertices.colwise().maxCoeff().transpose());
+  Surface added{name, std::move(surface), colour, {}, true};
   if (Surface* known = find(name)) {
     *known = std::move(added);
   } else {
@@ -74,7 +74,11 @@ LpsBox SliceScene::subject() const {
 }
 
 void SliceScene::set_surface_points(const std::string& name, const Points& points) {
-  if (Surface* surface = find(name)) surface->section.set_points(points);
+  Surface* surface = find(name);
+  if (surface == nullptr) return;
+  auto moved = std::make_shared<PlaneSection>(*surface->section);
+  moved->set_points(points);
+  surface->section = std::move(moved);
 }
 
 void SliceScene::set_surface_pose(const std::string& name, const RigidMotion& pose) {
@@ -98,7 +102,7 @@ std::vector<SliceContour> SliceScene::contours(SlicePlane plane, const Eigen::Ve
     const double offset = normal.dot(lps - surface.pose.translation);
     SliceContour contour{surface.name, surface.colour, {}};
     for (const SectionLine& line :
-         surface.section.cut(surface.pose.rotation.transpose() * normal, offset)) {
+         surface.section->cut(surface.pose.rotation.transpose() * normal, offset)) {
       contour.lines.push_back({picture_from_lps(plane, surface.pose(line[0])),
                                picture_from_lps(plane, surface.pose(line[1]))});
     }

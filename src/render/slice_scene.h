@@ -53,8 +53,8 @@ class SliceScene {
   const SliceLattice& lattice() const { return lattice_; }
 
   /// Adds or replaces a surface, at rest (mm, LPS). Contours come in the order of the names' first
-  /// appearance, so that the last lies on top.
-  void set_surface(const std::string& name, std::shared_ptr<const TriangleMesh> surface,
+  /// appearance, so that the last lies on top. surface: made ready on whatever thread, shared.
+  void set_surface(const std::string& name, std::shared_ptr<const PlaneSection> surface,
                    const Eigen::Vector3d& colour);
   /// Ignored for a name that the scene does not have. points: n×3, mm, LPS.
   void set_surface_points(const std::string& name, const Points& points);
@@ -73,7 +73,7 @@ class SliceScene {
  private:
   struct Surface {
     std::string name;
-    PlaneSection section;
+    std::shared_ptr<const PlaneSection> section;
     Eigen::Vector3d colour;
     RigidMotion pose;
     bool visible = true;

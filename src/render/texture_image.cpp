@@ -56,11 +56,15 @@ vtkSmartPointer<vtkImageData> to_vtk(const cv::Mat& bgr) {
 
 }  // namespace
 
-vtkSmartPointer<vtkTexture> load_texture(const std::filesystem::path& path) {
+vtkSmartPointer<vtkImageData> read_texture(const std::filesystem::path& path) {
   cv::Mat picture = read_picture(path);
   shrink_to_limit(picture);
+  return to_vtk(picture);
+}
+
+vtkSmartPointer<vtkTexture> texture_of(vtkImageData* image) {
   auto texture = vtkSmartPointer<vtkTexture>::New();
-  texture->SetInputDataObject(to_vtk(picture));
+  texture->SetInputDataObject(image);
   texture->InterpolateOn();
   texture->MipmapOn();
   // With mipmaps VTK asks for fourfold anisotropic filtering, which stalls software OpenGL for

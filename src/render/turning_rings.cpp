@@ -16,13 +16,13 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 #include <Eigen/Geometry>
 
 #include "render/grip_colours.h"
 #include "render/in_front.h"
+#include "render/pixel_ratio.h"
 
 namespace gnathion {
 namespace {
@@ -76,6 +76,7 @@ struct TurningRings::Impl {
   vtkNew<vtkCallbackCommand> command;
   vtkRenderWindowInteractor* interactor = nullptr;
   vtkRenderer* renderer = nullptr;
+  double ratio = 1;  ///< pixels a logical one
   bool visible = true;
   std::optional<int> lock;
   Vector3d centre = Vector3d::Zero();
@@ -85,7 +86,7 @@ struct TurningRings::Impl {
   double turned = 0;      // radians since the press
   double last_angle = 0;  // of the mouse on the ring's plane
   Listener on_turned;
-  std::function<void()> on_released;
+  std::function<void()> on_taken, on_released;
 
   Impl() {
     for (int axis = 0; axis < 3; ++axis) {
@@ -113,7 +114,7 @@ struct TurningRings::Impl {
       const bool bright = held ? held->axis == axis : hovered == axis;
       const Vector3d colour = bright ? Vector3d(1, 1, 1) : axis_colour(axis);
       ring.actor->GetProperty()->SetColor(colour.x(), colour.y(), colour.z());
-      ring.actor->GetProperty()->SetLineWidth(bright ? 5.0F : 3.0F);
+      ring.actor->GetProperty()->SetLineWidth(static_cast<float>(ratio * (bright ? 5 : 3)));
       ring.actor->SetVisibility(is_there(axis) && (!held || held->axis == axis));
       ring.actor->SetPosition(centre.x(), centre.y(), centre.z());
     }
@@ -139,8 +140,7 @@ struct TurningRings::Impl {
 
   /// The ring under the mouse; of several the nearest to the eye.
   std::optional<Hold> ring_at(const Vector2d& pixel) const {
-    const double dots = interactor->GetRenderWindow()->GetDPI() / 96.0;
-    const double reach = near_pixels * std::max(1.0, dots);
+    const double reach = near_pixels * ratio;
     std::optional<Hold> best;
     double depth = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
@@ -216,6 +216,7 @@ struct TurningRings::Impl {
     turned = 0;
     last_angle = is_traced() ? angle_on_plane(press) : 0;
     show();
+    if (on_taken) on_taken();
     interactor->Render();
   }
 
@@ -248,6 +249,8 @@ void TurningRings::attach(vtkRenderWindowInteractor* interactor, vtkRenderer* re
   detach();
   impl_->interactor = interactor;
   impl_->renderer = renderer;
+  impl_->ratio = pixel_ratio(renderer);
+  impl_->show();
   for (Impl::Ring& ring : impl_->rings) renderer->AddActor(ring.actor);
   for (const auto event : {vtkCommand::LeftButtonPressEvent, vtkCommand::LeftButtonReleaseEvent,
                            vtkCommand::MouseMoveEvent}) {
@@ -286,6 +289,10 @@ void TurningRings::set_axis_lock(std::optional<int> axis) {
 
 bool TurningRings::is_held() const {
   return impl_->held.has_value();
+}
+
+void TurningRings::on_taken(std::function<void()> listener) {
+  impl_->on_taken = std::move(listener);
 }
 
 void TurningRings::on_turned(Listener listener) {

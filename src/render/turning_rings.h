@@ -39,6 +39,8 @@ class TurningRings {
   void set_axis_lock(std::optional<int> axis);
   bool is_held() const;
 
+  /// Called when a ring is taken, before the frame that shows it.
+  void on_taken(std::function<void()> listener);
   /// Called for every step of a drag, which draws a frame afterwards.
   void on_turned(Listener listener);
   /// Called once when the mouse button is let go.

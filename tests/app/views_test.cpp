@@ -3,6 +3,14 @@
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
+#include <set>
+
+#include <vtkActor.h>
+#include <vtkActorCollection.h>
+#include <vtkCallbackCommand.h>
+#include <vtkMapper.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
 
 #include "app/driven_window.h"
 #include "app/slice_view.h"
@@ -51,9 +59,12 @@ class ViewsTest : public QObject, private DrivenWindow {
   void outlinesFollowTheMotionAtRest();
   void outlinesCanBeSwitchedOff();
   void crosshairIsMarkedInThe3dView();
+  void shiftAndMouseSetTheCrosshairIn3d();
   void mouseMovesThe3dCamera();
   void keysMoveThe3dCamera();
   void stepIsQuick();
+  void whatIsShownWasMadeBesideTheWindow();
+  void frameThatIsDrawnAnywayIsNotDrawnTwice();
 
  private:
   ViewGrid& grid() const { return *find<ViewGrid>("view_grid"); }
@@ -404,6 +415,34 @@ void ViewsTest::crosshairIsMarkedInThe3dView() {
   QCOMPARE(green_column(), -1.0);
 }
 
+void ViewsTest::shiftAndMouseSetTheCrosshairIn3d() {
+  trigger("front_action");
+  view().picture();  // draws
+  const Points& skin = view().face_points();
+  const auto hover = [this](QPoint at, Qt::KeyboardModifiers keys) {
+    QMouseEvent move(QEvent::MouseMove, at, canvas()->mapToGlobal(at), Qt::NoButton, Qt::NoButton,
+                     keys);
+    QApplication::sendEvent(canvas(), &move);
+  };
+  const QPoint forehead(canvas()->width() / 2 + 20, canvas()->height() / 4);
+  const Eigen::Vector3d before = grid().crosshair();
+  hover(forehead, {});
+  QVERIFY(grid().crosshair() == before);
+  hover(forehead, Qt::ShiftModifier);
+  const Eigen::Vector3d at = grid().crosshair();
+  for (SliceView* view : {axial(), coronal(), sagittal()}) QVERIFY(view->crosshair() == at);
+  // On the skin, to the nearest place of the lattice, and where the mouse points.
+  const double off_skin = (skin.rowwise() - at.transpose()).rowwise().norm().minCoeff();
+  QVERIFY2(off_skin < 4, qPrintable(QString::number(off_skin)));
+  const ViewPoint sight = view().view_point(forehead);
+  const double off_sight = sight.direction.cross(at - sight.eye).norm();
+  QVERIFY2(off_sight <= lattice().step.norm() / 2 + 0.1, qPrintable(QString::number(off_sight)));
+  QVERIFY(at.x() > 2);  // right of the middle: the patient's left
+  // Beside the patient there is nothing to point at; with a button the camera moves.
+  hover({3, canvas()->height() / 2}, Qt::ShiftModifier);
+  QVERIFY(grid().crosshair() == at);
+}
+
 void ViewsTest::mouseMovesThe3dCamera() {
   trigger("front_action");
   const QPoint from(40, 200);  // beside the grips
@@ -467,6 +506,41 @@ void ViewsTest::stepIsQuick() {
           ms[0], ms[10]);
     QVERIFY(ms[0] < 30);  // the others may have waited for other programs
   }
+}
+
+/// Publishing a case hands surfaces over: nothing is computed from them on the window's thread.
+void ViewsTest::whatIsShownWasMadeBesideTheWindow() {
+  const ReadyAnatomy& ready = *model().loaded().ready;
+  std::set<vtkCellArray*> shown;
+  vtkActorCollection* actors = view().renderer()->GetActors();
+  actors->InitTraversal();
+  while (vtkActor* actor = actors->GetNextActor()) {
+    if (auto* data = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputAsDataSet())) {
+      shown.insert(data->GetPolys());
+    }
+  }
+  for (const ReadyFace::Part& part : ready.face->whole) QVERIFY(shown.count(part.arrays.cells));
+  QVERIFY(shown.count(ready.skull->whole.cells) && shown.count(ready.skull->coarse.cells));
+  for (const auto& segment : ready.segments) QVERIFY(shown.count(segment->whole.cells));
+  QVERIFY(&ready.face_section->surface() == &model().loaded().anatomy->face.mesh.surface);
+}
+
+void ViewsTest::frameThatIsDrawnAnywayIsNotDrawnTwice() {
+  QTest::qWait(500);  // what came before is drawn
+  int drawn = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&drawn);
+  count->SetCallback([](vtkObject*, unsigned long, void* n, void*) { ++*static_cast<int*>(n); });
+  const unsigned long tag = view().renderer()->AddObserver(vtkCommand::StartEvent, count);
+  view().render_soon();
+  view().interactor()->Render();  // as a grip does at the end of its move
+  QTest::qWait(300);
+  const int once = drawn;
+  view().render_soon();
+  QTest::qWait(300);
+  view().renderer()->RemoveObserver(tag);
+  QCOMPARE(once, 1);
+  QCOMPARE(drawn, 2);
 }
 
 }  // namespace gnathion::test

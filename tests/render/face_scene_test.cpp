@@ -8,9 +8,17 @@
 #include <utility>
 #include <vector>
 
+#include <vtkActor.h>
+#include <vtkActorCollection.h>
+#include <vtkMapper.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+
 #include "base/error.h"
 #include "render/baseline.h"
 #include "render/coarse_surface.h"
+#include "render/ready_surface.h"
 #include "render/scene_fixture.h"
 
 namespace gnathion::test {
@@ -230,6 +238,96 @@ TEST_F(SceneTest, CoarseBoneIsDrawnOnlyWhenAskedForAndLooksMuchTheSame) {
   scene.set_coarse(false);
   EXPECT_EQ(front(), fine);
   EXPECT_EQ(coarse_triangles(bone, 100000), bone.triangles);
+}
+
+/// The surfaces that a renderer draws.
+std::vector<vtkPolyData*> surfaces_in(vtkRenderer* renderer) {
+  std::vector<vtkPolyData*> all;
+  vtkActorCollection* actors = renderer->GetActors();
+  actors->InitTraversal();
+  while (vtkActor* actor = actors->GetNextActor()) {
+    all.push_back(vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputAsDataSet()));
+  }
+  return all;
+}
+
+TEST_F(SceneTest, WhatWasMadeReadyElsewhereIsSharedByScenesAndLooksTheSame) {
+  const TriangleMesh skull = ellipsoid({0, 8, 25}, {62, 78, 78});
+  scene.set_face(head);
+  scene.set_bone("skull", skull, skull_look);
+  const Picture direct = front();
+  const auto face = ready_face(head, "face");
+  const auto bone = ready_bone(skull, "skull", coarse_triangles(skull, 1200));
+  FaceScene first, second;
+  for (FaceScene* each : {&first, &second}) {
+    each->set_face(face);
+    each->set_bone("skull", bone, skull_look);
+    EXPECT_EQ(render_picture(*each, CameraPreset::front, 320, 320), direct);
+    const std::vector<vtkPolyData*> shown = surfaces_in(each->renderer());
+    ASSERT_EQ(shown.size(), face->whole.size() + 2);
+    for (std::size_t p = 0; p < face->whole.size(); ++p) {
+      EXPECT_EQ(shown[p]->GetPolys(), face->whole[p].arrays.cells);
+    }
+    vtkPolyData* whole = shown[face->whole.size()];
+    EXPECT_EQ(whole->GetPolys(), bone->whole.cells);
+    EXPECT_EQ(whole->GetPoints()->GetData(), bone->whole.points);
+    EXPECT_EQ(whole->GetPointData()->GetNormals(), bone->whole.normals);
+    EXPECT_EQ(shown.back()->GetPolys(), bone->coarse.cells);
+  }
+  // The face of one moves alone.
+  Points moved = head.surface.vertices;
+  moved.col(0).array() += 12;
+  first.set_face_points(moved);
+  EXPECT_NE(render_picture(first, CameraPreset::front, 320, 320), direct);
+  EXPECT_EQ(render_picture(second, CameraPreset::front, 320, 320), direct);
+}
+
+TEST(ReadyBone, IsClosedWhenItHasNoBorderAndItsNormalsPointOutward) {
+  TriangleMesh bone;
+  bone.vertices.resize(4, 3);
+  bone.vertices << 0, 0, 0, 10, 0, 0, 0, 10, 0, 0, 0, 10;
+  bone.triangles.resize(4, 3);
+  bone.triangles << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
+  EXPECT_TRUE(ready_bone(bone, "skull")->is_outward_closed);
+  TriangleMesh open = bone;
+  open.triangles.conservativeResize(3, 3);
+  EXPECT_FALSE(ready_bone(open, "skull")->is_outward_closed);
+  TriangleMesh twisted = bone;
+  std::swap(twisted.triangles(3, 0), twisted.triangles(3, 1));
+  EXPECT_FALSE(ready_bone(twisted, "skull")->is_outward_closed);
+  bone.triangles.col(0).swap(bone.triangles.col(1));
+  EXPECT_FALSE(ready_bone(bone, "skull")->is_outward_closed) << "inside out";
+}
+
+/// A spherical shell: an outer and an inner surface, `wall` mm apart.
+TriangleMesh shell(double radius, double wall) {
+  const TriangleMesh outer = ellipsoid({0, 0, 0}, {radius, radius, radius});
+  const double within = radius - wall;
+  TriangleMesh inner = ellipsoid({0, 0, 0}, {within, within, within});
+  inner.triangles.col(0).swap(inner.triangles.col(1));
+  TriangleMesh both;
+  both.vertices.resize(outer.vertices.rows() + inner.vertices.rows(), 3);
+  both.vertices << outer.vertices, inner.vertices;
+  both.triangles.resize(outer.triangles.rows() + inner.triangles.rows(), 3);
+  both.triangles << outer.triangles,
+      (inner.triangles.array() + static_cast<int>(outer.vertices.rows())).matrix();
+  return both;
+}
+
+TEST_F(SceneTest, CoarseBoneWithAThinWallHasNoDarkSpots) {
+  const TriangleMesh bone = shell(60, 2);
+  scene.set_orientation_letters(false);
+  scene.set_bone("skull", bone, skull_look, coarse_triangles(bone, 2400));
+  const Picture fine = front();
+  scene.set_coarse(true);
+  const Picture coarse = front();
+  EXPECT_NE(coarse, fine);
+  // Where the sphere faces the eye, both sides of the wall are within one cell of the grid.
+  int darker = 0;
+  for (int y = 120; y < 200; ++y) {
+    for (int x = 120; x < 200; ++x) darker += coarse.at(x, y)[0] + 40 < fine.at(x, y)[0] ? 1 : 0;
+  }
+  EXPECT_EQ(darker, 0);
 }
 
 /// Every triangle cut into four, its corners' texture coordinates halved along the edges.

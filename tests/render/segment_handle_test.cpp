@@ -31,6 +31,7 @@ class HandleTest : public SceneTest {
     interactor->Initialize();
     handle.set_home(home);
     handle.attach(interactor, scene.renderer());
+    handle.on_taken([this] { ++taken; });
     handle.on_moved([this](const Eigen::Vector3d& t) { moved.push_back(t); });
     handle.on_released([this](const Eigen::Vector3d& t) { released.push_back(t); });
     handle.on_turned([this](int axis, double degrees) { turned.emplace_back(axis, degrees); });
@@ -71,6 +72,7 @@ class HandleTest : public SceneTest {
   SegmentHandle handle;
   std::vector<Eigen::Vector3d> moved, released;
   std::vector<std::pair<int, double>> turned;
+  int taken = 0;
   bool shift = false;
 };
 
@@ -80,6 +82,7 @@ TEST_F(HandleTest, BallFollowsTheMouseInThePicturesPlane) {
   drag(home, ten);
   ASSERT_FALSE(moved.empty());
   ASSERT_EQ(released.size(), 1u);
+  EXPECT_EQ(taken, 1);
   EXPECT_EQ(released[0], handle.translation());
   EXPECT_NEAR(released[0].x(), 0, 0.1);
   EXPECT_NEAR(released[0].y(), -10, 1);
@@ -115,6 +118,7 @@ TEST_F(HandleTest, SettingTheTranslationCallsNobody) {
 TEST_F(HandleTest, MouseBesideTheHandleTurnsTheCameraOnly) {
   drag(Eigen::Vector3d(0, 0, 40), {40, 10});
   EXPECT_TRUE(moved.empty());
+  EXPECT_EQ(taken, 0);
   EXPECT_EQ(handle.translation(), Eigen::Vector3d::Zero());
 }
 

@@ -12,7 +12,7 @@ std::shared_ptr<const CtVolume> empty_volume() {
                                     Eigen::Matrix4d::Identity(), "phantom");
 }
 
-std::shared_ptr<const TriangleMesh> block(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
+std::shared_ptr<const PlaneSection> block(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
   TriangleMesh mesh;
   mesh.vertices.resize(8, 3);
   for (int c = 0; c < 8; ++c) {
@@ -22,7 +22,7 @@ std::shared_ptr<const TriangleMesh> block(const Eigen::Vector3d& low, const Eige
   mesh.triangles.resize(12, 3);
   mesh.triangles << 0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2,
       2, 4, 6, 1, 3, 5, 3, 7, 5;
-  return std::make_shared<TriangleMesh>(mesh);
+  return std::make_shared<PlaneSection>(std::make_shared<TriangleMesh>(mesh));
 }
 
 /// Least and greatest corner of a contour's lines.

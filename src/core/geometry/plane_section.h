@@ -18,6 +18,9 @@ class PlaneSection {
   /// surface: shared, not copied.
   explicit PlaneSection(std::shared_ptr<const TriangleMesh> surface);
 
+  /// As it was given: at rest.
+  const TriangleMesh& surface() const { return *surface_; }
+
   /// Other places for the surface's vertices (n×3, mm, LPS), as of a face that has moved.
   void set_points(Points points);
 

@@ -245,14 +245,17 @@ void CaseController::redo() {
   go_to(std::move(wanted));
 }
 
-/// Makes another plan the present one: motions at once, all else beside the window.
+/// Makes another plan the present one: at once where nothing but the face's answer to the motions
+/// follows from what differs, all else beside the window.
 void CaseController::go_to(PlanHistory history) {
   if (same_but_for_motions(history.plan(), loaded_->plan)) {
     editing_.cancel();
     pending_.reset();
     history_ = std::move(history);
-    take(loaded_, motions_of(history_->plan()));
-    emit motion_changed();
+    if (motions_ != motions_of(history_->plan())) {
+      take(loaded_, motions_of(history_->plan()));
+      emit motion_changed();
+    }
     emit history_changed();
     return;
   }
@@ -282,11 +285,11 @@ void CaseController::take_back_edit() {
   emit history_changed();
 }
 
-void CaseController::export_face(const fs::path& folder) {
+void CaseController::export_face(const fs::path& folder, const std::string& format) {
   if (!has_model() || is_exporting()) return;
-  exporting_.start([this, loaded = loaded_, plan = shown_plan(), prediction = refined_,
-                    folder](Progress& progress) {
-    export_prediction(*loaded, plan, prediction, folder, progress);
+  exporting_.start([this, loaded = loaded_, plan = shown_plan(), prediction = refined_, folder,
+                    format](Progress& progress) {
+    export_prediction(*loaded, plan, prediction, format, folder, progress);
     return [this, folder] { emit exported(QFile::decodeName(folder.c_str())); };
   });
   emit work_began(tr("Exporting the predicted face"));

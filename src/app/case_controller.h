@@ -61,9 +61,10 @@ class CaseController : public QObject {
   /// demo case's cache, where they may be removed, are copied beside the file first, into a new
   /// folder named after it.
   void save_case(const std::filesystem::path& file);
-  /// Writes the face predicted for the present motions; ends with exported() or failed().
+  /// Writes the face predicted for the present motions into a new folder, as "obj", "glb" or "ply"
+  /// (export_prediction()); ends with exported() or failed().
   /// Nothing happens while another export is under way. \pre has_model()
-  void export_face(const std::filesystem::path& folder);
+  void export_face(const std::filesystem::path& folder, const std::string& format = "obj");
   /// Cancels opening, editing and exporting.
   void cancel();
   bool is_exporting() const { return exporting_.is_running(); }

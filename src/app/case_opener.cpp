@@ -11,6 +11,7 @@
 
 #include "app/case_controller.h"
 #include "app/case_saver.h"
+#include "app/file_dialogs.h"
 #include "app/photograph_dialog.h"
 #include "app/recent_cases.h"
 #include "app/series_dialog.h"
@@ -25,12 +26,8 @@ fs::path path_of(const QString& file) {
   return QFile::encodeName(file).toStdString();
 }
 
-/// A dialog that is not opened yet.
-QFileDialog* file_dialog(QWidget& window, const QString& title, const char* name) {
-  auto* dialog = new QFileDialog(&window, title);
-  dialog->setObjectName(name);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setOption(QFileDialog::DontUseNativeDialog);
+QFileDialog* existing_file_dialog(QWidget& window, const QString& title, const char* name) {
+  QFileDialog* dialog = new_file_dialog(&window, name, title);
   dialog->setFileMode(QFileDialog::ExistingFile);
   return dialog;
 }
@@ -60,23 +57,23 @@ fs::path CaseOpener::demo_cache() {
 }
 
 void CaseOpener::ask_case() {
-  QFileDialog* dialog = file_dialog(window_, tr("Open case"), "open_dialog");
+  QFileDialog* dialog = existing_file_dialog(window_, tr("Open case"), "open_dialog");
   dialog->setNameFilters({tr("Case files (*.json)"), tr("All files (*)")});
   connect(dialog, &QFileDialog::fileSelected, this, &CaseOpener::take);
   dialog->open();
 }
 
 void CaseOpener::ask_dicom_folder() {
-  QFileDialog* dialog =
-      file_dialog(window_, tr("Import a CT: the folder with its DICOM files"), "folder_dialog");
+  QFileDialog* dialog = existing_file_dialog(
+      window_, tr("Import a CT: the folder with its DICOM files"), "folder_dialog");
   dialog->setFileMode(QFileDialog::Directory);
   connect(dialog, &QFileDialog::fileSelected, this, &CaseOpener::take);
   dialog->open();
 }
 
 void CaseOpener::ask_volume() {
-  QFileDialog* dialog =
-      file_dialog(window_, tr("Import a CT: an image volume in Hounsfield units"), "volume_dialog");
+  QFileDialog* dialog = existing_file_dialog(
+      window_, tr("Import a CT: an image volume in Hounsfield units"), "volume_dialog");
   dialog->setNameFilters(
       {tr("Image volumes (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz)"), tr("All files (*)")});
   connect(dialog, &QFileDialog::fileSelected, this, &CaseOpener::take);
@@ -84,10 +81,11 @@ void CaseOpener::ask_volume() {
 }
 
 void CaseOpener::ask_photograph_file() {
-  QFileDialog* dialog = file_dialog(window_, tr("Add a photograph"), "photograph_file_dialog");
-  dialog->setNameFilters({tr("Face scans (*.obj *.ply *.stl *.glb *.gltf *.3ds *.fbx *.dae *.off "
-                             "*.3mf)"),
-                          tr("All files (*)")});
+  QFileDialog* dialog =
+      existing_file_dialog(window_, tr("Add a photograph"), "photograph_file_dialog");
+  QStringList patterns;
+  for (const char* ending : scan_endings) patterns << "*" + QString(ending);
+  dialog->setNameFilters({tr("Face scans (%1)").arg(patterns.join(' ')), tr("All files (*)")});
   connect(dialog, &QFileDialog::fileSelected, this, &CaseOpener::take);
   dialog->open();
 }

@@ -22,6 +22,7 @@ void LandmarkTool::dragged(const ViewPoint& at) {
 
 void LandmarkTool::released(const ViewPoint& at) {
   pick(at);
+  editor_.keep_landmarks();
   emit picked();
 }
 

@@ -22,6 +22,10 @@ bool same_but_for_motions(const SurgicalCase& a, const SurgicalCase& b) {
   for (std::size_t s = 0; s < a.segments.size(); ++s) {
     moved.segments[s].motion = a.segments[s].motion;
   }
+  if (a.photograph && moved.photograph) {
+    moved.photograph->landmarks = a.photograph->landmarks;
+    moved.photograph->stable_vertices = a.photograph->stable_vertices;
+  }
   moved.hinge = a.hinge;
   return a == moved;
 }
@@ -126,8 +130,8 @@ fs::path cached_demo_case(const fs::path& cache, const fs::path& program, Progre
 }
 
 void export_prediction(const LoadedCase& loaded, const SurgicalCase& plan,
-                       std::shared_ptr<const Prediction> prediction, const fs::path& folder,
-                       Progress& progress) {
+                       std::shared_ptr<const Prediction> prediction, const std::string& format,
+                       const fs::path& folder, Progress& progress) {
   NewFolder output(folder);
   const Anatomy& anatomy = *loaded.anatomy;
   if (!prediction) {
@@ -135,8 +139,8 @@ void export_prediction(const LoadedCase& loaded, const SurgicalCase& plan,
         std::make_shared<const Prediction>(make_prediction(plan, anatomy, *loaded.model, progress));
   }
   const auto stage = progress.stage("export");
-  anatomy.face.document.write(output.path(), "predicted.obj",
-                              anatomy.face.file_vertices(prediction->face_points));
+  write_scan(anatomy.face.document, anatomy.face.file_vertices(prediction->face_points),
+             output.path(), "predicted." + format);
   write_text_file(output.path() / "report.json", report_json(plan, anatomy, *prediction));
   progress.check();
   output.publish();

@@ -4,10 +4,11 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
-#include "base/error.h"
 #include "app/ready_anatomy.h"
+#include "base/error.h"
 #include "plan/history.h"
 #include "prediction/report.h"
 
@@ -37,15 +38,17 @@ std::shared_ptr<const LoadedCase> load_case(const SurgicalCase& plan, const Load
 std::filesystem::path cached_demo_case(const std::filesystem::path& cache,
                                        const std::filesystem::path& program, Progress& progress);
 
-/// Whether two plans differ in the motions of their segments at most.
+/// Whether two plans differ at most in the motions of their segments and in what the photograph's
+/// place was found by (its landmarks, its stable region), from which nothing is computed.
 bool same_but_for_motions(const SurgicalCase& a, const SurgicalCase& b);
 
-/// Writes a new folder with the face predicted for `plan`: predicted.obj, which differs from the
-/// photograph in its v lines only, its MTL files and textures, and report.json. `prediction`: that
-/// of the plan, where it is known already; null: it is made. \pre loaded.model
-/// Throws Error(output) when the folder exists or cannot be written, as make_prediction otherwise.
+/// Writes a new folder with the face predicted for `plan` and report.json. format: "obj":
+/// predicted.obj, which differs from the photograph in its v lines only, its MTL files and
+/// textures; "glb" or "ply": that one file (scan/scan_export.h). `prediction`: that of the plan,
+/// where it is known already; null: it is made. \pre loaded.model Throws Error(output) when the
+/// folder exists or cannot be written, as make_prediction otherwise.
 void export_prediction(const LoadedCase& loaded, const SurgicalCase& plan,
-                       std::shared_ptr<const Prediction> prediction,
+                       std::shared_ptr<const Prediction> prediction, const std::string& format,
                        const std::filesystem::path& folder, Progress& progress);
 
 }  // namespace gnathion

@@ -10,6 +10,7 @@
 #include <QSlider>
 #include <QToolButton>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -374,9 +375,8 @@ void MainWindow::connect_work() {
     ui_->message_bar->add_notice(tr("Please note"), notice);
   });
   connect(&controller_, &CaseController::exported, this, [this](const QString& folder) {
-    ui_->message_bar->show_notice(
-        tr("Exported"),
-        tr("The predicted face (predicted.obj) and its report are in %1").arg(folder));
+    ui_->message_bar->show_notice(tr("Exported"),
+                                  tr("The predicted face and its report are in %1").arg(folder));
   });
   // An export may end while an opening goes on, and with it no work_ended comes.
   connect(&controller_, &CaseController::exported, this, &MainWindow::update_enabled);
@@ -453,8 +453,16 @@ void MainWindow::open_demo_case() {
 void MainWindow::ask_export() {
   QFileDialog* dialog = new_folder_dialog(
       this, "export_dialog", tr("Export the predicted face into a new folder"), "predicted_face");
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this](const QString& folder) { controller_.export_face(path_of(folder)); });
+  dialog->setLabelText(QFileDialog::FileType, tr("Face as:"));
+  // In the order of the formats below; they tell what is written, not which names are shown.
+  dialog->setNameFilters({tr("OBJ with its materials and pictures (*)"),
+                          tr("GLB, one file with pictures (*)"),
+                          tr("PLY, one file with coloured vertices (*)")});
+  connect(dialog, &QFileDialog::fileSelected, this, [this, dialog](const QString& folder) {
+    constexpr std::array formats{"obj", "glb", "ply"};
+    const auto format = dialog->nameFilters().indexOf(dialog->selectedNameFilter());
+    controller_.export_face(path_of(folder), formats.at(static_cast<std::size_t>(format)));
+  });
   dialog->open();
 }
 

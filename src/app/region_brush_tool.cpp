@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "app/face_view.h"
 #include "render/region_overlay.h"
@@ -18,9 +19,9 @@ constexpr double kCursorLift = 0.8;  // mm off the skin, so that it stays in sig
 
 }  // namespace
 
-RegionBrushTool::RegionBrushTool(FaceView& view, RegionEditor& editor, RegionOverlay& overlay,
+RegionBrushTool::RegionBrushTool(FaceView& view, PaintedSurface& surface, RegionOverlay& overlay,
                                  QObject* parent)
-    : QObject(parent), view_(view), editor_(editor), overlay_(overlay) {
+    : QObject(parent), view_(view), surface_(surface), overlay_(overlay) {
   view_.canvas()->installEventFilter(this);
 }
 
@@ -33,17 +34,25 @@ void RegionBrushTool::set_radius(double mm) {
 }
 
 void RegionBrushTool::set_points(const Points& points) {
+  set_points(points, nullptr, {});
+}
+
+void RegionBrushTool::set_points(const Points& points, std::shared_ptr<const BspTree> tree,
+                                 const Similarity& lps_from_tree) {
   points_ = points;
-  tree_.reset();
+  tree_ = std::move(tree);
+  lps_from_tree_ = lps_from_tree;
 }
 
 std::optional<RegionBrushTool::Hit> RegionBrushTool::hit(const ViewPoint& at) {
-  if (!editor_.has_face() || points_.rows() != editor_.brush().face().vertices.rows()) return {};
-  const Triangles& triangles = editor_.brush().face().triangles;
-  if (!tree_) tree_.emplace(TriangleMesh{points_, triangles});
-  const auto found = point_in_sight(*tree_, at.eye, at.direction);
+  const TriangleMesh* surface = surface_.surface();
+  if (surface == nullptr || points_.rows() != surface->vertices.rows()) return {};
+  if (!tree_) tree_ = std::make_shared<const BspTree>(TriangleMesh{points_, surface->triangles});
+  const auto found = point_in_sight(
+      *tree_, lps_from_tree_.displacement_to_source(at.eye - lps_from_tree_.translation),
+      lps_from_tree_.rotation.transpose() * at.direction);
   if (!found) return {};
-  return Hit{*found, found->position(triangles, points_)};
+  return Hit{*found, found->position(surface->triangles, points_)};
 }
 
 bool RegionBrushTool::erases(const ViewPoint& at) const {
@@ -52,13 +61,13 @@ bool RegionBrushTool::erases(const ViewPoint& at) const {
 
 bool RegionBrushTool::pressed(const ViewPoint& at) {
   const auto found = hit(at);
-  if (!found || !editor_.is_known()) return false;
+  if (!found) return false;
   stroke_erases_ = erases(at);
   last_ = at;
   last_place_ = found->place;
   emit stroke_began();
-  editor_.begin_stroke(target_, stroke_erases_);
-  editor_.stamp(found->on, radius_);
+  surface_.begin_stroke(stroke_erases_);
+  surface_.stamp(found->on, radius_);
   show_cursor(found, stroke_erases_);
   return true;
 }
@@ -77,9 +86,9 @@ void RegionBrushTool::stamp_to(const ViewPoint& at) {
   count = std::clamp(count, 1, kMostStamps);
   for (int i = 1; i < count; ++i) {
     const auto between = hit(view_.view_point(last_->pixel + way * i / count, at.modifiers));
-    if (between) editor_.stamp(between->on, radius_);
+    if (between) surface_.stamp(between->on, radius_);
   }
-  if (found) editor_.stamp(found->on, radius_);
+  if (found) surface_.stamp(found->on, radius_);
   last_ = at;
   last_place_.reset();
   if (found) last_place_ = found->place;
@@ -87,12 +96,12 @@ void RegionBrushTool::stamp_to(const ViewPoint& at) {
 }
 
 void RegionBrushTool::dragged(const ViewPoint& at) {
-  if (editor_.is_stroke() && last_) stamp_to(at);
+  if (surface_.is_stroke() && last_) stamp_to(at);
 }
 
 void RegionBrushTool::released(const ViewPoint& at) {
-  if (editor_.is_stroke() && last_ && at.pixel != last_->pixel) stamp_to(at);
-  editor_.end_stroke();
+  if (surface_.is_stroke() && last_ && at.pixel != last_->pixel) stamp_to(at);
+  surface_.end_stroke();
   emit stroke_ended();
 }
 
@@ -102,20 +111,20 @@ void RegionBrushTool::hovered(const ViewPoint& at) {
 }
 
 void RegionBrushTool::left() {
-  if (editor_.is_stroke()) return;
+  if (surface_.is_stroke()) return;
   last_.reset();
   show_cursor({}, false);
 }
 
 /// The circle on the skin, as segments; where it lies within one triangle, round about the normal.
 Points RegionBrushTool::cursor_at(const Hit& at) const {
-  const Triangles& triangles = editor_.brush().face().triangles;
+  const Triangles& triangles = surface_.surface()->triangles;
   const auto corners = triangles.row(at.on.triangle);
   const Eigen::Vector3d a = points_.row(corners[0]);
   const Eigen::Vector3d b = points_.row(corners[1]);
   const Eigen::Vector3d c = points_.row(corners[2]);
   const Eigen::Vector3d out = (b - a).cross(c - a).stableNormalized();
-  const auto circle = editor_.brush().circle(at.on, radius_);
+  const auto circle = surface_.circle(at.on, radius_);
   if (!circle.empty()) {
     Points ends(2 * circle.size(), 3);
     Eigen::Index row = 0;
@@ -153,9 +162,9 @@ bool RegionBrushTool::eventFilter(QObject*, QEvent* event) {
     set_radius(radius_ * std::pow(1.1, wheel->angleDelta().y() / 120.0));
     return true;
   }
-  if (event->type() == QEvent::KeyPress && editor_.is_stroke() &&
+  if (event->type() == QEvent::KeyPress && surface_.is_stroke() &&
       static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-    editor_.drop_stroke();
+    surface_.drop_stroke();
     emit stroke_ended();
     return true;
   }

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <QObject>
+#include <memory>
 #include <optional>
 
-#include "app/region_editor.h"
+#include "app/painted_surface.h"
 #include "app/view_tool.h"
 #include "geometry/bsp_tree.h"
+#include "geometry/rigid_motion.h"
 
 namespace gnathion {
 
@@ -25,16 +27,18 @@ class RegionBrushTool : public QObject, public ViewTool {
   static constexpr double largest_radius = 40;  ///< mm
 
   /// All must outlive the tool.
-  RegionBrushTool(FaceView& view, RegionEditor& editor, RegionOverlay& overlay,
+  RegionBrushTool(FaceView& view, PaintedSurface& surface, RegionOverlay& overlay,
                   QObject* parent = nullptr);
 
   void set_mode(BrushMode mode) { mode_ = mode; }
-  void set_target(BrushTarget target) { target_ = target; }
   double radius() const { return radius_; }
   /// mm, cut to its limits.
   void set_radius(double mm);
   /// The face as it is shown, n×3, mm, LPS: rays are cast at it from the next press on.
   void set_points(const Points& points);
+  /// The same where a tree of the surface is made already; `lps_from_tree`: from its frame.
+  void set_points(const Points& points, std::shared_ptr<const BspTree> tree,
+                  const Similarity& lps_from_tree);
 
   bool pressed(const ViewPoint& at) override;
   void dragged(const ViewPoint& at) override;
@@ -62,13 +66,13 @@ class RegionBrushTool : public QObject, public ViewTool {
   Points cursor_at(const Hit& at) const;
 
   FaceView& view_;
-  RegionEditor& editor_;
+  PaintedSurface& surface_;
   RegionOverlay& overlay_;
   BrushMode mode_ = BrushMode::off;
-  BrushTarget target_ = BrushTarget::region;
   double radius_ = 10;
   Points points_;
-  std::optional<BspTree> tree_;  ///< of the face as it is shown; none: to be made anew
+  std::shared_ptr<const BspTree> tree_;  ///< of the face as it is shown; null: to be made anew
+  Similarity lps_from_tree_;
   std::optional<ViewPoint> last_;
   std::optional<Eigen::Vector3d> last_place_;
   bool stroke_erases_ = false;

@@ -76,15 +76,24 @@ bool RegionEditor::is_hidden(int vertex) {
   return depth == Depth::hidden;
 }
 
-void RegionEditor::begin_stroke(BrushTarget target, bool erases) {
-  target_ = target;
+const TriangleMesh* RegionEditor::surface() const {
+  return brush_ && known_ ? &brush_->face() : nullptr;
+}
+
+std::vector<std::array<EdgePoint, 2>> RegionEditor::circle(const SurfacePoint& centre,
+                                                           double radius) const {
+  return brush_->circle(centre, radius);
+}
+
+void RegionEditor::begin_stroke(bool erases) {
+  painted_ = target_;
   erases_ = erases;
   stroke_ = true;
 }
 
 void RegionEditor::stamp(const SurfacePoint& at, double radius) {
   if (!stroke_) return;
-  Selection& selection = target_ == BrushTarget::region ? region_ : sliding_;
+  Selection& selection = painted_ == BrushTarget::region ? region_ : sliding_;
   bool any = false;
   for (const ReachedVertex& reached : brush_->disc(at, radius)) {
     const auto v = static_cast<std::size_t>(reached.vertex);
@@ -94,7 +103,7 @@ void RegionEditor::stamp(const SurfacePoint& at, double radius) {
     any = true;
   }
   if (!any) return;
-  RegionOutline& outline = target_ == BrushTarget::region ? outline_ : sliding_outline_;
+  RegionOutline& outline = painted_ == BrushTarget::region ? outline_ : sliding_outline_;
   outline = outline_of(*brush_, selection);
   emit changed();
 }
@@ -102,7 +111,7 @@ void RegionEditor::stamp(const SurfacePoint& at, double radius) {
 void RegionEditor::end_stroke() {
   if (!stroke_) return;
   stroke_ = false;
-  if (target_ == BrushTarget::sliding) {
+  if (painted_ == BrushTarget::sliding) {
     commit(erases_ ? tr("Erase sliding tissue") : tr("Paint sliding tissue"));
   } else {
     set_region(region_, erases_ ? tr("Erase from the region") : tr("Paint the region"));

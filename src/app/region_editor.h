@@ -1,11 +1,13 @@
 #pragma once
 
 #include <QObject>
+#include <array>
 #include <memory>
 #include <vector>
 
 #include "app/background_task.h"
 #include "app/case_controller.h"
+#include "app/painted_surface.h"
 #include "tissue/face_symmetry.h"
 #include "tissue/region_shape.h"
 
@@ -19,7 +21,7 @@ enum class BrushTarget {
 
 /// The region of the open case as it is being painted: a stroke changes what is shown at once, and
 /// the plan, as one step, when it ends. Knows no widget. Lives on the window's thread.
-class RegionEditor : public QObject {
+class RegionEditor : public QObject, public PaintedSurface {
   Q_OBJECT
  public:
   /// The controller must outlive the editor.
@@ -40,16 +42,21 @@ class RegionEditor : public QObject {
   const RegionOutline& sliding_outline() const { return sliding_outline_; }
   /// As of the last stroke that ended.
   const std::vector<RegionFault>& faults() const { return faults_; }
-  bool is_stroke() const { return stroke_; }
+  bool is_stroke() const override { return stroke_; }
+  /// Null also while the suggested region is not known: strokes begin on it.
+  const TriangleMesh* surface() const override;
+  std::vector<std::array<EdgePoint, 2>> circle(const SurfacePoint& centre,
+                                               double radius) const override;
   bool is_mirroring() const { return mirroring_.is_running(); }
 
   /// \pre has_face() for all that follow
-  void begin_stroke(BrushTarget target, bool erases);
-  /// Paints or erases a disc. Skin hidden in a pocket, as within the mouth, is not painted.
-  void stamp(const SurfacePoint& at, double radius);
-  void end_stroke();
-  /// What was painted since begin_stroke() is gone.
-  void drop_stroke();
+  /// What the next stroke paints.
+  void set_target(BrushTarget target) { target_ = target; }
+  void begin_stroke(bool erases) override;
+  /// Skin hidden in a pocket, as within the mouth, is not painted.
+  void stamp(const SurfacePoint& at, double radius) override;
+  void end_stroke() override;
+  void drop_stroke() override;
 
   void grow(double mm);
   void shrink(double mm);
@@ -91,8 +98,9 @@ class RegionEditor : public QObject {
   bool known_ = false;
   bool stroke_ = false;
   bool erases_ = false;
-  BrushTarget target_ = BrushTarget::region;
-  BackgroundTask mirroring_;  // last: its worker stops first
+  BrushTarget target_ = BrushTarget::region;   ///< of the next stroke
+  BrushTarget painted_ = BrushTarget::region;  ///< of the present one
+  BackgroundTask mirroring_;                   // last: its worker stops first
 };
 
 }  // namespace gnathion

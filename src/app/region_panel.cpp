@@ -118,9 +118,10 @@ void RegionPanel::connect_brush() {
   for (const auto& [button, mode] : modes) {
     connect(button, &QAbstractButton::clicked, this, [this, mode = mode] { set_mode(mode); });
   }
-  connect(
-      ui_->target_box, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
-      [this](int row) { tool_.set_target(row == 0 ? BrushTarget::region : BrushTarget::sliding); });
+  connect(ui_->target_box, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+          [this](int row) {
+            editor_.set_target(row == 0 ? BrushTarget::region : BrushTarget::sliding);
+          });
   connect(ui_->radius_box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), &tool_,
           &RegionBrushTool::set_radius);
   connect(ui_->radius_slider, &QSlider::valueChanged, &tool_,

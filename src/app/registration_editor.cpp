@@ -20,7 +20,7 @@ std::vector<PickedLandmark> no_landmarks() {
   for (const char* name : {nasion_name, nose_tip_name, "canthus_outer_right", "canthus_inner_right",
                            "canthus_inner_left", "canthus_outer_left", "mouth_corner_right",
                            "mouth_corner_left", "pogonion"}) {
-    landmarks.push_back({name, {}, {}});
+    landmarks.push_back({name, {}});
   }
   return landmarks;
 }
@@ -51,23 +51,28 @@ struct RegistrationEditor::Job {
   SkinSurfaceOptions skin_options;
   std::shared_ptr<const Skin> skin;
   std::shared_ptr<const BspTree> photograph_tree;
+  std::shared_ptr<const SurfaceBrush> brush;
   std::vector<LandmarkPair> landmarks;
 
   const TriangleMesh& photograph() const { return loaded->anatomy->face.document.mesh().surface; }
   void make_surfaces(Progress& progress) {
     if (!photograph_tree) photograph_tree = std::make_shared<const BspTree>(photograph());
+    if (!brush) brush = std::make_shared<const SurfaceBrush>(photograph());
     if (skin) return;
     const auto stage = progress.stage("the CT's skin");
     skin = std::make_shared<const Skin>(skin_surface(*ct, skin_options, progress));
   }
   void measure(Placement& placement, Progress& progress) const {
     progress.check();
-    if (!placement.is_fitted) {
-      RegistrationOptions options;
-      options.landmarks = landmarks;
-      placement.quality =
-          registration_quality(photograph(), skin->target, placement.lps_from_photograph, options);
-    }
+    RegistrationOptions options;
+    options.landmarks = landmarks;
+    RegistrationQuality all =
+        registration_quality(photograph(), skin->target, placement.lps_from_photograph, options);
+    // Of the whole photograph, whatever decided: only so are two places compared.
+    all.iterations = placement.quality.iterations;
+    all.converged = placement.quality.converged;
+    all.grip = placement.quality.grip;
+    placement.quality = all;
     progress.check();
     placement.distance_mm = signed_distances(
         moved(photograph().vertices, placement.lps_from_photograph), skin->mesh, colour_reach);
@@ -90,6 +95,8 @@ RegistrationEditor::RegistrationEditor(CaseController& controller, QObject* pare
   }
   connect(&controller_, &CaseController::case_opened, this, &RegistrationEditor::take_plan);
   connect(&controller_, &CaseController::case_changed, this, &RegistrationEditor::take_plan);
+  connect(&controller_, &CaseController::history_changed, this,
+          &RegistrationEditor::take_landmarks);
   connect(&controller_, &CaseController::work_began, this, &RegistrationEditor::changed);
   connect(&controller_, &CaseController::work_ended, this, &RegistrationEditor::changed);
 }
@@ -127,11 +134,12 @@ void RegistrationEditor::take_plan() {
   const bool same =
       any && photograph_ && photograph_->plan.photograph->obj == loaded->plan.photograph->obj;
   if (!same) {
-    landmarks_ = no_landmarks();
     photograph_tree_.reset();
+    brush_.reset();
     drop_proposal();
   }
   photograph_ = any ? loaded : nullptr;
+  take_landmarks();
   if (any && (!same || present_.lps_from_photograph != loaded->anatomy->face.lps_from_file)) {
     const Similarity place = loaded->anatomy->face.lps_from_file;
     present_ = proposal_ && proposal_->lps_from_photograph == place ? *proposal_ : Placement{place};
@@ -142,7 +150,7 @@ void RegistrationEditor::take_plan() {
 }
 
 RegistrationEditor::Job RegistrationEditor::job() const {
-  return {photograph_, ct_, skin_options_, skin_, photograph_tree_, pairs()};
+  return {photograph_, ct_, skin_options_, skin_, photograph_tree_, brush_, pairs()};
 }
 
 /// What a worker has made is kept, where it still belongs to what is open.
@@ -150,6 +158,7 @@ void RegistrationEditor::keep(const Job& job) {
   if (job.ct == ct_ && job.skin_options == skin_options_) skin_ = job.skin;
   if (photograph_ && job.loaded->plan.photograph->obj == photograph_->plan.photograph->obj) {
     photograph_tree_ = job.photograph_tree;
+    brush_ = job.brush;
   }
 }
 
@@ -204,8 +213,28 @@ void RegistrationEditor::propose(Placement placement) {
   nudge_ = {};
 }
 
-void RegistrationEditor::fit_automatically(bool scale) {
+/// What the plan says of the photograph that is shown; null: the plan has another by now.
+const PhotographSource* RegistrationEditor::planned() const {
+  if (!photograph_ || !controller_.has_case()) return nullptr;
+  const std::optional<PhotographSource>& plan = controller_.plan().photograph;
+  return plan && plan->obj == photograph_->plan.photograph->obj ? &*plan : nullptr;
+}
+
+/// Empty: nothing is painted.
+std::vector<bool> RegistrationEditor::painted_flags() const {
+  const PhotographSource* plan = planned();
+  if (plan == nullptr || plan->stable_vertices.empty()) return {};
+  return selection_of(plan->stable_vertices, photograph().vertices.rows());
+}
+
+Selection RegistrationEditor::proposed_region() const {
+  if (!photograph_ || !skin_) return {};
+  return upper_face(photograph().vertices, shown().lps_from_photograph, skin_->target, pairs());
+}
+
+void RegistrationEditor::fit_automatically(FitRegion region, bool scale) {
   RegistrationOptions options;
+  if (region == FitRegion::stable) options.stable = painted_flags();
   options.landmarks = pairs();
   options.fit_scale = scale;
   options.mm_per_unit = present_.lps_from_photograph.scale;
@@ -218,10 +247,11 @@ void RegistrationEditor::refine(FitRegion region, bool scale) {
   RegistrationOptions options;
   options.landmarks = pairs();
   options.fit_scale = scale;
+  if (region == FitRegion::stable) options.stable = painted_flags();
   start([options, region, from = shown().lps_from_photograph](const Job& job,
                                                               Progress& progress) mutable {
     const SkinTarget& skin = job.skin->target;
-    if (region == FitRegion::upper_face) {
+    if (region == FitRegion::stable && options.stable.empty()) {
       options.stable = upper_face(job.photograph().vertices, from, skin, job.landmarks);
     }
     return register_photograph(job.photograph(), skin, from, options, progress);
@@ -275,15 +305,41 @@ void RegistrationEditor::cancel() {
 
 std::vector<LandmarkPair> RegistrationEditor::pairs() const {
   std::vector<LandmarkPair> pairs;
-  for (const PickedLandmark& landmark : landmarks_) {
-    if (landmark.photograph && landmark.lps)
-      pairs.push_back({landmark.name, *landmark.photograph, *landmark.lps});
+  for (const auto& [name, at] : landmarks_) {
+    if (at.photograph && at.lps) pairs.push_back({name, *at.photograph, *at.lps});
   }
   return pairs;
 }
 
+void RegistrationEditor::take_landmarks() {
+  std::vector<PickedLandmark> landmarks = no_landmarks();
+  if (const PhotographSource* plan = planned()) {
+    for (const auto& [name, at] : plan->landmarks) {
+      const auto known = std::find_if(landmarks.begin(), landmarks.end(),
+                                      [&](const auto& landmark) { return landmark.name == name; });
+      if (known == landmarks.end()) {
+        landmarks.push_back({name, at});
+      } else {
+        known->at = at;
+      }
+    }
+  }
+  landmarks_ = std::move(landmarks);
+  emit landmarks_changed();
+}
+
+void RegistrationEditor::keep_landmarks(const QString& step) {
+  if (planned() == nullptr) return;
+  SurgicalCase plan = controller_.plan();
+  plan.photograph->landmarks.clear();
+  for (const auto& [name, at] : landmarks_) {
+    if (at.photograph || at.lps) plan.photograph->landmarks[name] = at;
+  }
+  if (plan != controller_.plan()) controller_.edit(step, std::move(plan));
+}
+
 void RegistrationEditor::set_landmark(std::size_t landmark, PickedSurface on, const Vector3d& lps) {
-  PickedLandmark& picked = landmarks_.at(landmark);
+  PickedPlace& picked = landmarks_.at(landmark).at;
   if (on == PickedSurface::ct) {
     picked.lps = lps;
   } else {
@@ -294,8 +350,8 @@ void RegistrationEditor::set_landmark(std::size_t landmark, PickedSurface on, co
 }
 
 void RegistrationEditor::clear_landmark(std::size_t landmark) {
-  landmarks_.at(landmark).photograph.reset();
-  landmarks_.at(landmark).lps.reset();
+  landmarks_.at(landmark).at = {};
+  keep_landmarks(tr("Clear a landmark"));
   emit landmarks_changed();
 }
 

@@ -13,6 +13,7 @@
 #include "app/case_controller.h"
 #include "geometry/bsp_tree.h"
 #include "registration/registration.h"
+#include "tissue/region_shape.h"
 
 namespace gnathion {
 
@@ -31,13 +32,13 @@ enum class PickedSurface { photograph, ct };
 
 /// A place of the face, as far as it is picked.
 struct PickedLandmark {
-  std::string name;                           ///< for files: "nose_tip"
-  std::optional<Eigen::Vector3d> photograph;  ///< in the photograph's own frame and unit
-  std::optional<Eigen::Vector3d> lps;         ///< on the CT's skin, mm
+  std::string name;  ///< for files: "nose_tip"
+  PickedPlace at;
 };
 
-/// Which part of the photograph decides a fit.
-enum class FitRegion { upper_face, whole };
+/// Which part of the photograph decides a fit: what is painted as stable, or else the upper face
+/// that is proposed; or all of it.
+enum class FitRegion { stable, whole };
 
 /// Where the photograph lies on the CT: the plan's place, and a proposal that the user takes or
 /// leaves. Fits and measures beside the window; knows no widget. Lives on the window's thread.
@@ -49,8 +50,7 @@ class RegistrationEditor : public QObject {
 
   /// While active the present place is measured; when not, nothing is computed.
   void set_active(bool active);
-  /// Takes over what the plan says: another place drops the proposal, another photograph the
-  /// landmarks, too.
+  /// Takes over what the plan says: another place drops the proposal.
   void take_plan();
   /// Whether the case's face is a photograph: all that follows needs one.
   bool has_photograph() const { return photograph_ != nullptr; }
@@ -58,6 +58,11 @@ class RegistrationEditor : public QObject {
   const TriangleMesh& photograph() const;
   /// Null until it is computed.
   const TriangleMesh* skin() const { return skin_ ? &skin_->mesh : nullptr; }
+  /// The photograph in its own frame, made ready for a brush and for rays; null until then.
+  std::shared_ptr<const SurfaceBrush> brush() const { return brush_; }
+  std::shared_ptr<const BspTree> photograph_tree() const { return photograph_tree_; }
+  /// Flags of forehead and bridge of the nose where the photograph is shown; empty: not known yet.
+  Selection proposed_region() const;
 
   const Placement& present() const { return present_; }
   const Placement* proposal() const { return proposal_ ? &*proposal_ : nullptr; }
@@ -66,7 +71,8 @@ class RegistrationEditor : public QObject {
   bool is_measuring() const { return measuring_.is_running(); }
 
   /// Each ends with changed() and a proposal, or with failed(), when nothing has changed.
-  void fit_automatically(bool scale);
+  /// region: stable: what is painted; nothing is proposed before the place is known.
+  void fit_automatically(FitRegion region, bool scale);
   /// \pre three landmarks are complete
   void fit_to_landmarks(bool scale);
   /// From the place that is shown.
@@ -80,7 +86,10 @@ class RegistrationEditor : public QObject {
   void cancel();
 
   const std::vector<PickedLandmark>& landmarks() const { return landmarks_; }
+  /// The known ones in their order, then what else the case names. A place that is set is a step
+  /// of the history with keep_landmarks() only: a drag sets many.
   void set_landmark(std::size_t landmark, PickedSurface on, const Eigen::Vector3d& lps);
+  void keep_landmarks() { keep_landmarks(tr("Pick a landmark")); }
   void clear_landmark(std::size_t landmark);
   std::size_t complete_landmarks() const { return pairs().size(); }
   /// mm, of the complete ones, where the photograph is shown; before: where the last fit began.
@@ -112,12 +121,17 @@ class RegistrationEditor : public QObject {
   void measure();
   void propose(Placement placement);
   std::vector<LandmarkPair> pairs() const;
+  void take_landmarks();
+  void keep_landmarks(const QString& step);
+  const PhotographSource* planned() const;
+  std::vector<bool> painted_flags() const;
   void drop_proposal();
 
   CaseController& controller_;
   bool active_ = false;
   std::shared_ptr<const LoadedCase> photograph_;    ///< the case that it was taken from, or null
   std::shared_ptr<const BspTree> photograph_tree_;  ///< own frame; null: not made yet
+  std::shared_ptr<const SurfaceBrush> brush_;       ///< likewise
   std::shared_ptr<const CtVolume> ct_;
   SkinSurfaceOptions skin_options_;
   std::shared_ptr<const Skin> skin_;  ///< of `ct_` by `skin_options_`; null: not made yet

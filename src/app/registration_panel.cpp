@@ -41,7 +41,7 @@ QString words_for(const std::string& landmark) {
       {"pogonion", RegistrationPanel::tr("Pogonion (chin)")}};
   const auto* found = std::find_if(std::begin(words), std::end(words),
                                    [&](const auto& word) { return landmark == word.first; });
-  return found->second;
+  return found == std::end(words) ? QString::fromStdString(landmark) : found->second;
 }
 
 QString mm(double value, int digits = 2) {
@@ -68,10 +68,21 @@ void fit_height(QTableWidget* table) {
   table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 }
 
+void list(QTableWidget* table, const QStringList& rows) {
+  table->setRowCount(static_cast<int>(rows.size()));
+  for (int row = 0; row < table->rowCount(); ++row) {
+    if (table->item(row, 0) != nullptr && table->item(row, 0)->text() == rows[row]) continue;
+    table->setItem(row, 0, read_only(rows[row], false));
+    for (int column = 1; column < table->columnCount(); ++column) {
+      table->setItem(row, column, read_only("–"));
+    }
+  }
+  fit_height(table);
+}
+
 void set_up(QTableWidget* table, const QStringList& columns, const QStringList& rows) {
   table->setColumnCount(static_cast<int>(columns.size()));
   table->setHorizontalHeaderLabels(columns);
-  table->setRowCount(static_cast<int>(rows.size()));
   table->verticalHeader()->hide();
   table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + 6);
   table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -81,13 +92,7 @@ void set_up(QTableWidget* table, const QStringList& columns, const QStringList& 
   table->setSelectionBehavior(QAbstractItemView::SelectRows);
   table->setSelectionMode(QAbstractItemView::SingleSelection);
   table->setTabKeyNavigation(false);
-  for (int row = 0; row < table->rowCount(); ++row) {
-    table->setItem(row, 0, read_only(rows[row], false));
-    for (int column = 1; column < table->columnCount(); ++column) {
-      table->setItem(row, column, read_only("–"));
-    }
-  }
-  fit_height(table);
+  list(table, rows);
 }
 
 /// Begins with a capital; for rich text.
@@ -104,7 +109,9 @@ RegistrationPanel::RegistrationPanel(CaseController& controller, FaceView& view,
       controller_(controller),
       view_(view),
       editor_(controller),
-      tool_(editor_) {
+      tool_(editor_),
+      stable_(controller),
+      brush_(view, stable_, overlay_) {
   ui_->setupUi(this);
   nudge_boxes_ = {ui_->nudge_forward_box, ui_->nudge_up_box,   ui_->nudge_left_box,
                   ui_->nudge_pitch_box,   ui_->nudge_roll_box, ui_->nudge_yaw_box};
@@ -114,10 +121,12 @@ RegistrationPanel::RegistrationPanel(CaseController& controller, FaceView& view,
   set_up_tables();
   connect_buttons();
   connect_landmarks();
+  connect_stable_region();
   connect_nudge();
   connect(&editor_, &RegistrationEditor::changed, this, &RegistrationPanel::show_soon);
   connect(&editor_, &RegistrationEditor::failed, this, &RegistrationPanel::failed);
   connect(&editor_, &RegistrationEditor::landmarks_changed, this, [this] {
+    if (!active_) return;
     show_landmarks();
     update_enabled();
     show_marks();
@@ -144,10 +153,14 @@ void RegistrationPanel::set_up_tables() {
           tr("Near the skin"), tr("Size, mm a unit")});
   ui_->quality_table->setSelectionMode(QAbstractItemView::NoSelection);
   ui_->quality_table->setFocusPolicy(Qt::NoFocus);
+  set_up(ui_->registration_landmark_table,
+         {tr("Landmark"), tr("Photo"), tr("CT"), tr("Before"), tr("Now, mm")}, landmark_names());
+}
+
+QStringList RegistrationPanel::landmark_names() const {
   QStringList names;
   for (const PickedLandmark& landmark : editor_.landmarks()) names << words_for(landmark.name);
-  set_up(ui_->registration_landmark_table,
-         {tr("Landmark"), tr("Photo"), tr("CT"), tr("Before"), tr("Now, mm")}, names);
+  return names;
 }
 
 void RegistrationPanel::connect_buttons() {
@@ -159,14 +172,11 @@ void RegistrationPanel::connect_buttons() {
   connect(ui_->cancel_fit_button, &QAbstractButton::clicked, &editor_, &RegistrationEditor::cancel);
   const auto scale = [this] { return ui_->fit_scale_box->isChecked(); };
   connect(ui_->fit_auto_button, &QAbstractButton::clicked, this,
-          [this, scale] { editor_.fit_automatically(scale()); });
+          [this, scale] { editor_.fit_automatically(fit_region(), scale()); });
   connect(ui_->fit_landmarks_button, &QAbstractButton::clicked, this,
           [this, scale] { editor_.fit_to_landmarks(scale()); });
-  connect(ui_->refine_button, &QAbstractButton::clicked, this, [this, scale] {
-    editor_.refine(
-        ui_->fit_region_box->currentIndex() == 0 ? FitRegion::upper_face : FitRegion::whole,
-        scale());
-  });
+  connect(ui_->refine_button, &QAbstractButton::clicked, this,
+          [this, scale] { editor_.refine(fit_region(), scale()); });
   const std::pair<QAbstractButton*, Show> shows[] = {
       {ui_->show_photograph_button, Show::photograph},
       {ui_->show_ct_button, Show::ct},
@@ -184,11 +194,55 @@ void RegistrationPanel::connect_landmarks() {
   connect(ui_->clear_landmark_button, &QAbstractButton::clicked, this,
           [this] { editor_.clear_landmark(tool_.landmark()); });
   connect(ui_->pick_button, &QAbstractButton::toggled, this, [this](bool picks) {
+    if (picks) set_brush(BrushMode::off);
     // Both at once hide each other.
     if (picks && show_ == Show::both) show_surfaces(Show::photograph);
     show_state();
   });
   table->setCurrentCell(0, 0);
+}
+
+void RegistrationPanel::connect_stable_region() {
+  const std::pair<QAbstractButton*, BrushMode> brushes[] = {
+      {ui_->stable_paint_button, BrushMode::paint}, {ui_->stable_erase_button, BrushMode::erase}};
+  for (const auto& [button, mode] : brushes) {
+    connect(button, &QAbstractButton::clicked, this,
+            [this, mode = mode](bool on) { set_brush(on ? mode : BrushMode::off); });
+  }
+  connect(ui_->stable_propose_button, &QAbstractButton::clicked, &stable_,
+          &StableRegionEditor::take_proposal);
+  connect(ui_->fit_region_box, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
+    if (fit_region() == FitRegion::whole) set_brush(BrushMode::off);
+    show_state();
+  });
+  connect(ui_->stable_radius_box, qOverload<double>(&QDoubleSpinBox::valueChanged), &brush_,
+          &RegionBrushTool::set_radius);
+  connect(&brush_, &RegionBrushTool::radius_changed, ui_->stable_radius_box,
+          &QDoubleSpinBox::setValue);
+  connect(&stable_, &StableRegionEditor::changed, this, &RegistrationPanel::show_stable_outline);
+  // Smooth edges cost a software renderer most of a frame.
+  connect(&brush_, &RegionBrushTool::stroke_began, this,
+          [this] { view_.renderer()->SetUseFXAA(false); });
+  connect(&brush_, &RegionBrushTool::stroke_ended, this, &RegistrationPanel::show_state);
+}
+
+FitRegion RegistrationPanel::fit_region() const {
+  return ui_->fit_region_box->currentIndex() == 0 ? FitRegion::stable : FitRegion::whole;
+}
+
+/// The brush in the hand is for the photograph alone: colours and the veil would hide its paint.
+void RegistrationPanel::set_brush(BrushMode mode) {
+  brush_mode_ = mode;
+  brush_.set_mode(mode);
+  ui_->stable_paint_button->setChecked(mode == BrushMode::paint);
+  ui_->stable_erase_button->setChecked(mode == BrushMode::erase);
+  if (mode == BrushMode::off) {
+    show_state();
+    return;
+  }
+  ui_->pick_button->setChecked(false);
+  ui_->fit_region_box->setCurrentIndex(0);
+  show_surfaces(Show::photograph);
 }
 
 void RegistrationPanel::connect_nudge() {
@@ -219,6 +273,7 @@ void RegistrationPanel::show_surfaces(Show show) {
   ui_->show_ct_button->setChecked(show == Show::ct);
   ui_->show_both_button->setChecked(show == Show::both);
   if (show == Show::both) ui_->pick_button->setChecked(false);
+  if (show != Show::photograph && brush_mode_ != BrushMode::off) set_brush(BrushMode::off);
   show_state();
 }
 
@@ -232,7 +287,8 @@ void RegistrationPanel::choose_landmark(int row) {
 void RegistrationPanel::choose_next_landmark() {
   const auto& landmarks = editor_.landmarks();
   for (std::size_t i = tool_.landmark() + 1; i < landmarks.size(); ++i) {
-    const auto& place = show_ == Show::ct ? landmarks[i].lps : landmarks[i].photograph;
+    const PickedPlace& at = landmarks[i].at;
+    const auto& place = show_ == Show::ct ? at.lps : at.photograph;
     if (place) continue;
     ui_->registration_landmark_table->setCurrentCell(static_cast<int>(i), 0);
     return;
@@ -270,7 +326,7 @@ void RegistrationPanel::fit_awaited() {
   const bool there =
       editor_.has_photograph() && controller_.loaded().plan.photograph->obj == fit_next_;
   fit_next_.clear();
-  if (there) editor_.fit_automatically(ui_->fit_scale_box->isChecked());
+  if (there) editor_.fit_automatically(fit_region(), ui_->fit_scale_box->isChecked());
 }
 
 void RegistrationPanel::show_place() {
@@ -343,14 +399,15 @@ void RegistrationPanel::show_landmarks() {
   const auto now = editor_.residuals(), before = editor_.residuals_before();
   const auto& landmarks = editor_.landmarks();
   QTableWidget* table = ui_->registration_landmark_table;
+  list(table, landmark_names());
   for (int row = 0; row < table->rowCount(); ++row) {
     const PickedLandmark& landmark = landmarks[static_cast<std::size_t>(row)];
     const auto residual = [&](const std::map<std::string, double>& of) {
       const auto found = of.find(landmark.name);
       return found == of.end() ? QString("–") : mm(found->second, 1);
     };
-    table->item(row, photograph_column)->setText(landmark.photograph ? "✓" : "–");
-    table->item(row, ct_column)->setText(landmark.lps ? "✓" : "–");
+    table->item(row, photograph_column)->setText(landmark.at.photograph ? "✓" : "–");
+    table->item(row, ct_column)->setText(landmark.at.lps ? "✓" : "–");
     table->item(row, before_column)
         ->setText(editor_.proposal() != nullptr ? residual(before) : QString("–"));
     table->item(row, now_column)->setText(residual(now));
@@ -388,8 +445,14 @@ void RegistrationPanel::update_enabled() {
     group->setVisible(editor_.has_photograph());
   }
   ui_->fit_landmarks_button->setEnabled(free && editor_.complete_landmarks() >= 3);
-  const auto& chosen = editor_.landmarks()[tool_.landmark()];
+  const PickedPlace& chosen = editor_.landmarks()[tool_.landmark()].at;
   ui_->clear_landmark_button->setEnabled(chosen.photograph || chosen.lps);
+  const bool paints = free && fit_region() == FitRegion::stable;
+  for (QWidget* widget : std::initializer_list<QWidget*>{
+           ui_->stable_paint_button, ui_->stable_erase_button, ui_->stable_radius_box}) {
+    widget->setEnabled(paints);
+  }
+  ui_->stable_propose_button->setEnabled(paints && stable_.is_painted());
   for (QWidget* button : {ui_->accept_fit_button, ui_->reject_fit_button}) {
     button->setEnabled(free && editor_.proposal() != nullptr);
   }
@@ -409,13 +472,16 @@ void RegistrationPanel::begin_scene() {
   if (has_scene_) return;
   has_scene_ = true;
   skin_.attach(view_.renderer());
+  overlay_.attach(view_.renderer());
   marks_.attach(view_.renderer());
   set_bones_drawn(false);
   if (view_.is_before_visible()) view_.set_before_visible(false);
 }
 
 void RegistrationPanel::end_scene() {
-  if (view_.tool() == &tool_) view_.set_tool(nullptr);
+  stable_.end_stroke();
+  if (view_.tool() == &tool_ || view_.tool() == &brush_) view_.set_tool(nullptr);
+  overlay_.detach();
   skin_.detach();
   marks_.detach();
   if (!has_scene_) return;
@@ -462,8 +528,44 @@ void RegistrationPanel::show_scene() {
   } else {
     view_.scene().hide_colour_map();
   }
+  show_stable_region();
   show_marks();
   show_tool();
+  view_.render_soon();
+}
+
+/// What is painted on follows the photograph, and the proposed region its place.
+void RegistrationPanel::show_stable_region() {
+  const std::shared_ptr<const SurfaceBrush> brush = editor_.brush();
+  const Similarity& place = editor_.shown().lps_from_photograph;
+  if (brush && (brush != painted_ || place != painted_place_)) {
+    const Points points = moved(brush->face().vertices, place);
+    if (brush != painted_) overlay_.set_face(brush->face());
+    overlay_.set_points(points);
+    brush_.set_points(points, editor_.photograph_tree(), place);
+    painted_ = brush;
+    painted_place_ = place;
+  }
+  stable_.set_photograph(brush, place.scale, editor_.proposed_region());
+  show_stable_outline();
+}
+
+void RegistrationPanel::show_stable_outline() {
+  if (!has_scene_) return;
+  const bool decides = fit_region() == FitRegion::stable && painted_ != nullptr;
+  const RegionOutline& outline = stable_.outline();
+  // Paint would hide the colours of the distances: there the rim alone is drawn.
+  const bool filled = decides && show_ == Show::photograph;
+  const bool rimmed = decides && show_ != Show::ct;
+  overlay_.set_region(filled ? outline.triangles : Triangles(),
+                      rimmed ? outline.rim : std::vector<std::array<int, 2>>());
+  const QString area = tr("%1 cm²").arg(QLocale().toString(stable_.area_cm2(), 'f', 0));
+  ui_->stable_region_label->setText(
+      fit_region() == FitRegion::whole ? tr("The whole photograph decides.")
+      : outline.triangles.rows() == 0  ? tr("The stable region is being proposed.")
+      : stable_.is_painted()
+          ? tr("Painted as stable: %1.").arg(area)
+          : tr("Proposed as stable: forehead, brows and bridge of the nose, %1.").arg(area));
   view_.render_soon();
 }
 
@@ -475,17 +577,17 @@ void RegistrationPanel::show_marks() {
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
     const std::string words = words_for(landmarks[i].name).toStdString();
     const bool chosen = show_ != Show::both && i == tool_.landmark();
-    const bool photograph = landmarks[i].photograph && show_ != Show::ct;
-    const bool ct = landmarks[i].lps && show_ != Show::photograph;
+    const PickedPlace& picked = landmarks[i].at;
+    const bool photograph = picked.photograph && show_ != Show::ct;
+    const bool ct = picked.lps && show_ != Show::photograph;
     if (photograph && ct) {
       lines.emplace_back(static_cast<int>(marks.size()), static_cast<int>(marks.size()) + 1);
     }
     if (photograph) {
-      marks.push_back(
-          {place(*landmarks[i].photograph), LandmarkMark::Kind::photograph, words, chosen});
+      marks.push_back({place(*picked.photograph), LandmarkMark::Kind::photograph, words, chosen});
     }
     if (ct) {
-      marks.push_back({*landmarks[i].lps, LandmarkMark::Kind::ct, photograph ? "" : words, chosen});
+      marks.push_back({*picked.lps, LandmarkMark::Kind::ct, photograph ? "" : words, chosen});
     }
   }
   marks_.show(marks, lines);
@@ -494,7 +596,10 @@ void RegistrationPanel::show_marks() {
 void RegistrationPanel::show_tool() {
   tool_.set_surface(show_ == Show::ct ? PickedSurface::ct : PickedSurface::photograph);
   tool_.set_picking(ui_->pick_button->isChecked() && show_ != Show::both);
-  view_.set_tool(&tool_);  // also when nothing is picked: the grips of a segment go
+  // Also when nothing is picked: the grips of a segment go.
+  ViewTool* tool = &tool_;
+  if (brush_mode_ != BrushMode::off && show_ == Show::photograph) tool = &brush_;
+  view_.set_tool(tool);
 }
 
 }  // namespace gnathion

@@ -7,8 +7,11 @@
 #include <memory>
 
 #include "app/landmark_tool.h"
+#include "app/region_brush_tool.h"
+#include "app/registration_brush.h"
 #include "app/registration_editor.h"
 #include "render/landmark_marks.h"
+#include "render/region_overlay.h"
 #include "render/skin_layer.h"
 
 class QDoubleSpinBox;
@@ -35,6 +38,7 @@ class RegistrationPanel : public QWidget {
   void fit_when_added(const std::filesystem::path& photograph) { fit_next_ = photograph; }
 
   const RegistrationEditor& editor() const { return editor_; }
+  const StableRegionEditor& stable_region() const { return stable_; }
 
  signals:
   void photograph_wanted();  ///< a file is to be chosen
@@ -44,9 +48,13 @@ class RegistrationPanel : public QWidget {
  private:
   enum class Show { photograph, ct, both };
   void set_up_tables();
+  QStringList landmark_names() const;
   void connect_buttons();
   void connect_landmarks();
+  void connect_stable_region();
   void connect_nudge();
+  FitRegion fit_region() const;
+  void set_brush(BrushMode mode);
   void show_surfaces(Show show);
   void choose_landmark(int row);
   void choose_next_landmark();
@@ -60,6 +68,8 @@ class RegistrationPanel : public QWidget {
   void show_landmarks();
   void show_nudge();
   void show_scene();
+  void show_stable_region();
+  void show_stable_outline();
   void show_marks();
   void show_tool();
   void begin_scene();
@@ -73,10 +83,16 @@ class RegistrationPanel : public QWidget {
   FaceView& view_;
   RegistrationEditor editor_;
   LandmarkTool tool_;
+  StableRegionEditor stable_;
+  RegionOverlay overlay_;
+  RegionBrushTool brush_;
+  BrushMode brush_mode_ = BrushMode::off;
   SkinLayer skin_;
   LandmarkMarks marks_;
-  const TriangleMesh* shown_skin_ = nullptr;    ///< which the layer has
-  std::array<QDoubleSpinBox*, 6> nudge_boxes_;  ///< in the order of JawMotion's members
+  const TriangleMesh* shown_skin_ = nullptr;     ///< which the layer has
+  std::shared_ptr<const SurfaceBrush> painted_;  ///< whose surface the overlay has
+  Similarity painted_place_;                     ///< where the overlay has it
+  std::array<QDoubleSpinBox*, 6> nudge_boxes_;   ///< in the order of JawMotion's members
   QTimer show_timer_;  ///< many changes in one turn of the event loop are shown once
   Show show_ = Show::both;
   bool active_ = false;

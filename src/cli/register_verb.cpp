@@ -10,6 +10,7 @@
 #include "io/files.h"
 #include "io/obj_document.h"
 #include "scan/scan_import.h"
+#include "tissue/region_shape.h"
 
 namespace gnathion {
 namespace {
@@ -37,6 +38,15 @@ std::vector<LandmarkPair> read_landmarks(const fs::path& file) {
                   "write: name, x y z in the photograph's frame, x y z on the CT (LPS mm)");
     }
     pairs.push_back(pair);
+  }
+  return pairs;
+}
+
+/// Those that the case has on both surfaces.
+std::vector<LandmarkPair> landmarks_of(const PhotographSource& photograph) {
+  std::vector<LandmarkPair> pairs;
+  for (const auto& [name, at] : photograph.landmarks) {
+    if (at.photograph && at.lps) pairs.push_back({name, *at.photograph, *at.lps});
   }
   return pairs;
 }
@@ -112,8 +122,13 @@ Registration registered(const SurgicalCase& plan, const TriangleMesh& photograph
   RegistrationOptions options;
   options.fit_scale = choices.fit_scale;
   options.mm_per_unit = choices.mm_per_unit;
-  if (choices.stable) options.stable = read_flags(*choices.stable, photograph.vertices.rows());
-  if (choices.landmarks) options.landmarks = read_landmarks(*choices.landmarks);
+  if (choices.stable) {
+    options.stable = read_flags(*choices.stable, photograph.vertices.rows());
+  } else if (!plan.photograph->stable_vertices.empty()) {
+    options.stable = selection_of(plan.photograph->stable_vertices, photograph.vertices.rows());
+  }
+  options.landmarks =
+      choices.landmarks ? read_landmarks(*choices.landmarks) : landmarks_of(*plan.photograph);
   std::optional<Similarity> start;
   if (choices.from_case) start = plan.photograph->lps_from_photograph;
   if (choices.landmarks && !choices.from_case) {

@@ -20,6 +20,8 @@
 #include "app/registration_panel.h"
 #include "demo/demo_case.h"
 #include "io/case_file.h"
+#include "io/input_kind.h"
+#include "scan/scan_import.h"
 #include "user.h"
 
 namespace gnathion::test {
@@ -53,14 +55,19 @@ class RegistrationTest : public QObject {
   void acceptedFitIsRightAndAStep();
   void undoAndRedoRestoreTheBits();
   void landmarksArePickedByClicks();
+  void landmarksAreKeptAndUndone();
   void landmarkFitIsAProposal();
   void refinementJudgesTheLandmarks();
+  void stableRegionIsPainted();
+  void paintedRegionIsUndoneByStroke();
+  void savedPicksAreReopened();
   void photographIsMovedByNumbers();
   void acceptedNudgeIsAStep();
   void exchangedLandmarksAreRefused();
   void shapeThatIsNoFaceIsRefused();
   void skinTakesThePhotographsPlace();
   void photographIsAddedAndFitted();
+  void faceIsExportedInEachFormat();
   void otherStepShowsTheFaceAgain();
   void cleanupTestCase();
 
@@ -225,6 +232,7 @@ void RegistrationTest::landmarksArePickedByClicks() {
   const auto& places = user().model().plan().landmarks;
   const std::pair<int, const char*> rows[] = {
       {1, "nose_tip"}, {6, "mouth_corner_right"}, {7, "mouth_corner_left"}, {8, "pogonion_soft"}};
+  const auto computed = user().model().shared_case();
   auto* table = user().find<QTableWidget>("registration_landmark_table");
   QVERIFY(!user().find<QPushButton>("fit_landmarks_button")->isEnabled());
   user().click("pick_button");
@@ -232,7 +240,7 @@ void RegistrationTest::landmarksArePickedByClicks() {
   for (const auto& [row, name] : rows) {
     const Vector3d own = true_.displacement_to_source(places.at(name) - true_.translation);
     pick(row, planned()(own));
-    const auto& picked = editor().landmarks()[static_cast<std::size_t>(row)].photograph;
+    const auto& picked = editor().landmarks()[static_cast<std::size_t>(row)].at.photograph;
     QVERIFY2(picked.has_value(), name);
     QVERIFY2((*picked - own).norm() < 2, qPrintable(QString::number((*picked - own).norm())));
     QCOMPARE(cell("registration_landmark_table", row, 1), QString("✓"));
@@ -242,7 +250,7 @@ void RegistrationTest::landmarksArePickedByClicks() {
   for (const auto& [row, name] : rows) {
     QVERIFY(!user().find<QPushButton>("fit_landmarks_button")->isEnabled() || row > 7);
     pick(row, places.at(name));
-    const auto& picked = editor().landmarks()[static_cast<std::size_t>(row)].lps;
+    const auto& picked = editor().landmarks()[static_cast<std::size_t>(row)].at.lps;
     QVERIFY2(picked.has_value(), name);
     QVERIFY((*picked - places.at(name)).norm() < 2);
     QVERIFY(table->currentRow() != row || row == 8);  // the next one
@@ -250,9 +258,29 @@ void RegistrationTest::landmarksArePickedByClicks() {
   user().shoot("registration_landmarks_ct");
   QVERIFY(cell("registration_landmark_table", 1, 4).toDouble() > 5);
   QVERIFY(user().find<QPushButton>("fit_landmarks_button")->isEnabled());
-  // Another row's places go and come back.
-  table->setCurrentCell(8, 0);
+  QVERIFY(user().model().shared_case() == computed);  // nothing follows from landmarks
+}
+
+void RegistrationTest::landmarksAreKeptAndUndone() {
+  const auto& kept = user().model().plan().photograph->landmarks;
+  QCOMPARE(kept.size(), std::size_t{4});
+  for (const PickedLandmark& landmark : editor().landmarks()) {
+    if (landmark.at.lps) QVERIFY(kept.at(landmark.name) == landmark.at);
+  }
+  QCOMPARE(QString::fromStdString(user().model().history().undo_name()),
+           QString("Pick a landmark"));
+  // The last row's places go, and come back to the bit.
+  const PickedPlace chin = editor().landmarks()[8].at;
+  user().find<QTableWidget>("registration_landmark_table")->setCurrentCell(8, 0);
   user().click("clear_landmark_button");
+  QCOMPARE(editor().complete_landmarks(), std::size_t{3});
+  user().action("undo_action")->trigger();
+  QCOMPARE(editor().complete_landmarks(), std::size_t{4});
+  QVERIFY(editor().landmarks()[8].at == chin);
+  QCOMPARE(cell("registration_landmark_table", 8, 2), QString("✓"));
+  user().action("undo_action")->trigger();  // its place on the CT was the last pick
+  QVERIFY(!editor().landmarks()[8].at.lps && editor().landmarks()[8].at.photograph);
+  QCOMPARE(cell("registration_landmark_table", 8, 2), QString("–"));
   QCOMPARE(editor().complete_landmarks(), std::size_t{3});
 }
 
@@ -283,6 +311,77 @@ void RegistrationTest::refinementJudgesTheLandmarks() {
   QVERIFY(cell("registration_landmark_table", 1, 4).toDouble() < 2);
   user().click("reject_fit_button");
   rest();
+}
+
+void RegistrationTest::stableRegionIsPainted() {
+  user().find<QComboBox>("fit_region_box")->setCurrentIndex(0);
+  auto* words = user().find<QLabel>("stable_region_label");
+  QVERIFY2(words->text().startsWith("Proposed"), qPrintable(words->text()));
+  const Selection proposed = stable().region();
+  QVERIFY(proposed == editor().proposed_region());
+  QVERIFY(std::count(proposed.begin(), proposed.end(), true) > 300);
+  user().click("stable_paint_button");
+  QVERIFY(user().find<QPushButton>("show_photograph_button")->isChecked());
+  user().find<QDoubleSpinBox>("stable_radius_box")->setValue(12);
+  user().shoot("registration_stable_proposed");
+  const Vector3d chin = user().model().plan().landmarks.at("pogonion_soft");
+  const Vector3d own = true_.displacement_to_source(chin - true_.translation);
+  stroke(planned()(own), {40, 0});
+  QVERIFY2(words->text().startsWith("Painted"), qPrintable(words->text()));
+  const Selection painted = stable().region();
+  const auto count = [](const Selection& s) { return std::count(s.begin(), s.end(), true); };
+  QVERIFY(count(painted) > count(proposed) + 20);
+  QVERIFY(user().model().plan().photograph->stable_vertices == vertices_of(painted));
+  QCOMPARE(QString::fromStdString(user().model().history().undo_name()),
+           QString("Paint the stable region"));
+  user().shoot("registration_stable_painted");
+  user().click("stable_erase_button");
+  stroke(planned()(own), {20, 0});
+  QVERIFY(count(stable().region()) < count(painted));
+  QVERIFY(count(stable().region()) > count(proposed));
+  // The fit is by what is painted: too small a region is told.
+  fit("refine_button");
+  QVERIFY(editor().proposal() != nullptr);
+  user().click("reject_fit_button");
+  rest();
+}
+
+void RegistrationTest::paintedRegionIsUndoneByStroke() {
+  const Selection after = stable().region();
+  user().action("undo_action")->trigger();
+  const Selection before = stable().region();
+  QVERIFY(before != after);
+  user().action("redo_action")->trigger();
+  QVERIFY(stable().region() == after);
+  user().click("stable_propose_button");
+  QVERIFY(user().model().plan().photograph->stable_vertices.empty());
+  QVERIFY(stable().region() == editor().proposed_region());
+  user().action("undo_action")->trigger();
+  QVERIFY(stable().region() == after);
+  // Escape drops the stroke that is being painted.
+  const Vector3d tip = user().model().plan().landmarks.at("nose_tip");
+  const Vector3d own = true_.displacement_to_source(tip - true_.translation);
+  const QPoint pixel = user().pixel_of(planned()(own));
+  QTest::mousePress(user().canvas(), Qt::LeftButton, {}, pixel);
+  QVERIFY(stable().is_stroke());
+  QTest::keyClick(user().canvas(), Qt::Key_Escape);
+  QTest::mouseRelease(user().canvas(), Qt::LeftButton, {}, pixel);
+  QVERIFY(stable().region() == after);
+}
+
+void RegistrationTest::savedPicksAreReopened() {
+  const PhotographSource saved = *user().model().plan().photograph;
+  QVERIFY(!saved.landmarks.empty() && !saved.stable_vertices.empty());
+  const QString file = demo_ + "/picked.json";
+  user().model().save_case(file.toStdString());
+  window_->open_case(file);
+  rest();
+  QVERIFY(*user().model().plan().photograph == saved);
+  QCOMPARE(editor().complete_landmarks(), std::size_t{3});
+  QVERIFY(vertices_of(stable().region()) == saved.stable_vertices);
+  QVERIFY(!user().model().is_modified());
+  user().find<QComboBox>("fit_region_box")->setCurrentIndex(1);
+  user().click("show_both_button");
 }
 
 void RegistrationTest::photographIsMovedByNumbers() {
@@ -384,6 +483,9 @@ void RegistrationTest::skinTakesThePhotographsPlace() {
 void RegistrationTest::photographIsAddedAndFitted() {
   user().click("add_photograph_button");
   auto* dialog = user().find<QFileDialog>("photograph_file_dialog");
+  for (const char* ending : scan_endings) {
+    QVERIFY2(dialog->nameFilters().first().contains("*" + QString(ending)), ending);
+  }
   dialog->findChild<QLineEdit*>("fileNameEdit")->setText(demo_ + "/photograph/face.obj");
   for (QAbstractButton* button : dialog->findChild<QDialogButtonBox*>("buttonBox")->buttons()) {
     const auto* box = dialog->findChild<QDialogButtonBox*>("buttonBox");
@@ -417,6 +519,25 @@ void RegistrationTest::photographIsAddedAndFitted() {
   user().click("accept_fit_button");
   rest();
   QVERIFY(error(planned()) < 1);
+}
+
+void RegistrationTest::faceIsExportedInEachFormat() {
+  QVERIFY(user().model().has_model());
+  const char* names[] = {"predicted.obj", "predicted.glb", "predicted.ply"};
+  for (int format = 0; format < 3; ++format) {
+    user().action("export_action")->trigger();
+    auto* dialog = user().find<QFileDialog>("export_dialog");
+    QCOMPARE(dialog->nameFilters().size(), 3);
+    dialog->selectNameFilter(dialog->nameFilters()[format]);
+    const QString folder = folder_.filePath(QString("exported %1").arg(format));
+    user().answer("export_dialog", folder);
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder + "/report.json"), User::patience);
+    Progress progress;
+    const ObjDocument face = read_scan((folder + "/" + names[format]).toStdString(), progress);
+    QCOMPARE(face.mesh().surface.triangles.rows(), editor().photograph().triangles.rows());
+    rest();
+    user().find<QWidget>("message_bar")->hide();
+  }
 }
 
 void RegistrationTest::otherStepShowsTheFaceAgain() {

@@ -19,7 +19,27 @@ constexpr double kLeastFacing = 0.2;  // cosine: what is seen more flatly is sme
 constexpr double kFeatherMm = 8;      // over which a photograph fades in from the edge of its sight
 constexpr double kBroadMm = 1.5;      // of the photograph's own blur
 constexpr int kBroadRounds = 6;       // over neighbours, after that
-constexpr double kBorder = 2;         // pixels: a photograph's edge is not taken
+constexpr double kLeastRim = 1.5, kMostRim = 6;  // mm beside an outline that are not taken
+constexpr double kStepMm = 15;   // nearer than the skin beside: something stands before it
+constexpr double kOpenMm = 100;  // farther: there is nothing behind
+constexpr double kBorder = 2;    // pixels: a photograph's edge is not taken
+
+/// Whether a picture that lies a little beside its place would show something else here: what is
+/// behind the head, or a part of it that stands before this one.
+bool at_outline(const PlacedPhoto& photo, const SkinSight& skin, const Vector3d& x) {
+  const PhotoCamera& camera = photo.camera;
+  const double distance = (x - camera.eye()).norm();
+  const double rim =
+      std::clamp(photo.uncertainty_mm, kLeastRim, kMostRim) * camera.focal / camera.depth(x);
+  const Vector2d middle = camera.pixel(x);
+  for (int k = 0; k < 8; ++k) {
+    const Vector2d beside = middle + rim * Vector2d(std::cos(k * M_PI / 4), std::sin(k * M_PI / 4));
+    const auto hit =
+        skin.tree().first_hit(camera.eye(), camera.direction(beside), distance + kOpenMm);
+    if (!hit || hit->distance < distance - kStepMm) return true;
+  }
+  return false;
+}
 
 /// The cosine at which a vertex is seen; 0 when it is not.
 double facing_of(const PlacedPhoto& photo, const SkinSight& skin, Eigen::Index v) {
@@ -34,7 +54,7 @@ double facing_of(const PlacedPhoto& photo, const SkinSight& skin, Eigen::Index v
       p.y() > photo.photo->height - 1 - kBorder) {
     return 0;
   }
-  return skin.hides(x + 0.5 * normal, eye, 0.2) ? 0 : facing;
+  return skin.hides(x + 0.5 * normal, eye, 0.2) || at_outline(photo, skin, x) ? 0 : facing;
 }
 
 std::vector<double> facings(const PlacedPhoto& photo, const SkinSight& skin, Progress& progress) {

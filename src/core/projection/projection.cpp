@@ -79,7 +79,8 @@ ProjectedPhotographs project_photographs(const std::vector<MarkedPhoto>& photos,
   for (const MarkedPhoto& photo : photos) {
     progress.check();
     projected.cameras.push_back(fitted(photo, skin));
-    placed.push_back({photo.name, photo.photo.get(), projected.cameras.back().camera});
+    const CameraFit& fit = projected.cameras.back();
+    placed.push_back({photo.name, photo.photo.get(), fit.camera, fit.uncertainty_mm});
   }
   projected.painted = paint_skin(placed, skin, options, progress);
   return projected;

@@ -20,6 +20,9 @@ constexpr double kFinest = 0.2, kCoarsest = 1;  // mm in a pixel, where it is ch
 constexpr double kLeastWeight = 1e-6;           // of a pixel that is seen
 constexpr double kSharpness = 8;                // power of the weights for the fine band
 constexpr int kInpaintPixels = 4;               // Telea's radius
+constexpr float kGutterPixels = 4;              // beside a piece that has its border's colours
+constexpr double kInpaintMm = 1;                // of these pixels
+constexpr int kLeastShare = 128;                // of 255, of such a pixel that is known
 
 /// Everything that a pixel is painted from.
 struct Palette {
@@ -203,28 +206,82 @@ Canvas painted_canvas(const Palette& palette, const PaintedSkin& painted, Progre
   return canvas;
 }
 
+/// Beside a piece the colours of its border go on, so that no pixel of another piece or of none
+/// shines in where the picture is smoothed.
+void widen_pieces(Canvas& canvas) {
+  cv::Mat distance, label;
+  cv::distanceTransform(canvas.open, distance, label, cv::DIST_L2, cv::DIST_MASK_5,
+                        cv::DIST_LABEL_PIXEL);
+  std::vector<cv::Point> nearest;  // painted pixel of each label
+  for (int y = 0; y < label.rows; ++y) {
+    for (int x = 0; x < label.cols; ++x) {
+      if (canvas.open.at<std::uint8_t>(y, x) != 0) continue;
+      const auto number = static_cast<std::size_t>(label.at<int>(y, x));
+      if (nearest.size() <= number) nearest.resize(number + 1);
+      nearest[number] = {x, y};
+    }
+  }
+  for (int y = 0; y < label.rows; ++y) {
+    for (int x = 0; x < label.cols; ++x) {
+      const float away = distance.at<float>(y, x);
+      if (away == 0 || away > kGutterPixels || canvas.owner.at<int>(y, x) >= 0) continue;
+      const cv::Point& from = nearest[static_cast<std::size_t>(label.at<int>(y, x))];
+      canvas.colour.at<cv::Vec3b>(y, x) = canvas.colour.at<cv::Vec3b>(from);
+      canvas.open.at<std::uint8_t>(y, x) = 0;
+    }
+  }
+}
+
+/// What is painted, and made up around it (Telea 2004), in pixels of about a millimetre: what is
+/// made up has no finer parts, and a front of many pixels takes long.
+cv::Mat made_up(const Canvas& canvas, double mm_per_pixel, double reach_mm, const Vector3d& plain) {
+  const double scale = std::min(1.0, mm_per_pixel / kInpaintMm);
+  cv::Mat known, colour, part, mask, filled, distance;
+  cv::bitwise_not(canvas.open, known);
+  cv::Mat black = cv::Mat::zeros(canvas.colour.size(), CV_8UC3);
+  canvas.colour.copyTo(black, known);
+  cv::resize(black, colour, {}, scale, scale, cv::INTER_AREA);
+  cv::resize(known, part, {}, scale, scale, cv::INTER_AREA);
+  for (int y = 0; y < colour.rows; ++y) {
+    for (int x = 0; x < colour.cols; ++x) {
+      const int share = part.at<std::uint8_t>(y, x);
+      cv::Vec3b& c = colour.at<cv::Vec3b>(y, x);
+      c = share < kLeastShare ? bytes(plain) : cv::Vec3b(c * (255.0 / share));
+    }
+  }
+  cv::distanceTransform(part < kLeastShare, distance, cv::DIST_L2, cv::DIST_MASK_3);
+  cv::bitwise_and(part < kLeastShare, distance <= 2 + reach_mm / mm_per_pixel * scale, mask);
+  cv::inpaint(colour, mask, filled, kInpaintPixels, cv::INPAINT_TELEA);
+  cv::resize(filled, filled, canvas.colour.size(), 0, 0, cv::INTER_LINEAR);
+  return filled;
+}
+
+/// mm from a pixel's place on the skin to what is seen.
+double beyond_at(const Palette& palette, const PaintedSkin& painted, const Canvas& canvas, int x,
+                 int y, double elsewhere) {
+  const int owner = canvas.owner.at<int>(y, x);
+  if (owner < 0) return elsewhere;
+  const SkinCharts::Drawn& drawn = painted.charts.drawn[static_cast<std::size_t>(owner)];
+  const Vector3d weights = weights_in(drawn.corner, x, y);
+  double beyond = 0;
+  for (int k = 0; k < 3; ++k) {
+    const int v = palette.skin->triangles(drawn.triangle, k);
+    beyond += weights[k] * palette.beyond[static_cast<std::size_t>(v)];
+  }
+  return beyond;
+}
+
 /// Makes up what is near painted pixels; on the skin it fades into the plain colour.
 void inpaint(const Palette& palette, const PaintedSkin& painted, double reach_mm, Canvas& canvas) {
-  cv::Mat distance, mask, filled;
-  cv::distanceTransform(canvas.open, distance, cv::DIST_L2, cv::DIST_MASK_3);
-  const double reach = 1 + reach_mm / painted.charts.mm_per_pixel;
-  cv::bitwise_and(canvas.open, distance <= reach, mask);
-  cv::inpaint(canvas.colour, mask, filled, kInpaintPixels, cv::INPAINT_TELEA);
+  const cv::Mat filled = made_up(canvas, painted.charts.mm_per_pixel, reach_mm, painted.plain);
   const int first_plain = static_cast<int>(painted.charts.plain.y()) - 4;
   for (int y = 0; y < filled.rows; ++y) {
     for (int x = 0; x < filled.cols; ++x) {
       if (canvas.open.at<std::uint8_t>(y, x) == 0) continue;
       const auto& made = filled.at<cv::Vec3b>(y, x);
-      double beyond = y < first_plain ? 0 : reach_mm;
-      if (const int owner = canvas.owner.at<int>(y, x); owner >= 0) {
-        const SkinCharts::Drawn& drawn = painted.charts.drawn[static_cast<std::size_t>(owner)];
-        const Vector3d weights = weights_in(drawn.corner, x, y);
-        for (int k = 0; k < 3; ++k) {
-          const int v = palette.skin->triangles(drawn.triangle, k);
-          beyond += weights[k] * palette.beyond[static_cast<std::size_t>(v)];
-        }
-      }
-      const double plain = smooth_step(0, reach_mm, beyond);
+      const double elsewhere = y < first_plain ? 0 : reach_mm;
+      const double plain =
+          smooth_step(0, reach_mm, beyond_at(palette, painted, canvas, x, y, elsewhere));
       canvas.colour.at<cv::Vec3b>(y, x) =
           bytes((1 - plain) * Vector3d(made[0], made[1], made[2]) / 255 + plain * painted.plain);
     }
@@ -317,6 +374,7 @@ PaintedSkin paint_skin(std::span<const PlacedPhoto> photos, const SkinSight& ski
     add_picture(photos[i], palette.views[i], painted.charts.mm_per_pixel, palette);
   }
   Canvas canvas = painted_canvas(palette, painted, progress);
+  widen_pieces(canvas);
   inpaint(palette, painted, options.inpaint_mm, canvas);
   painted.picture = {canvas.colour.cols, canvas.colour.rows, {}};
   painted.picture.rgb.assign(canvas.colour.datastart, canvas.colour.dataend);

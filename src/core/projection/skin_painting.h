@@ -18,6 +18,9 @@ struct PlacedPhoto {
   std::string name;
   const Photo* photo = nullptr;  ///< must outlive the painting
   PhotoCamera camera;
+  /// CameraFit::uncertainty_mm: so near the outline of what it sees a photograph may show what lies
+  /// behind, and is not taken.
+  double uncertainty_mm = 0;
 };
 
 struct PaintOptions {
@@ -48,8 +51,8 @@ struct PaintedSkin {
 };
 
 /// Paints the skin with one photograph or more, each from its camera. A place is taken from the
-/// photographs that see it: not hidden by other skin, not within one edge of what is hidden, turned
-/// to the eye to 78 degrees. Their broad colours are blended by how squarely they see it, their
+/// photographs that see it: not hidden by other skin, not at an outline, turned to the eye to 78
+/// degrees. Their broad colours are blended by how squarely they see it, their
 /// fine ones taken from the best (two bands, after Burt and Adelson 1983); before, each
 /// photograph's channels are multiplied so that they match the first's. What none sees is
 /// inpainted (Telea 2004) and fades into one colour.

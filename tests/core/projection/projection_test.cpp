@@ -30,8 +30,7 @@ struct Scene {
   Scene() : skin(coarse_skin()) {}
   static TriangleMesh coarse_skin() {
     PhantomOptions options;
-    options.pixel_mm = 1.5;
-    options.slice_step_mm = 2;
+    options.pixel_mm = options.slice_step_mm = 2.5;
     return test::head_skin(options);
   }
 };

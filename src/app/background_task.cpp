@@ -14,7 +14,7 @@ namespace {
 /// Where there are as many workers as processors, the window that draws comes first. On Linux a
 /// thread has a niceness of its own, which the threads that it starts take over.
 void yield_to_the_window() {
-  constexpr int niceness = 10;
+  constexpr int niceness = 5;
   setpriority(PRIO_PROCESS, 0, niceness);
 }
 

@@ -290,6 +290,7 @@ struct FaceScene::Impl {
     set_lights();
     style_bar(bar);
     label->GetTextProperty()->SetVerticalJustificationToTop();
+    label->GetTextProperty()->SetLineSpacing(1.2);
     right_letter->GetTextProperty()->SetJustificationToRight();
     for (vtkProp* prop : std::initializer_list<vtkProp*>{bar, label, left_letter, right_letter}) {
       renderer->AddViewProp(prop);

@@ -23,6 +23,7 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
+#include "render/pixel_ratio.h"
 #include "render/wrapped_words.h"
 
 namespace gnathion {
@@ -92,33 +93,43 @@ vtkSmartPointer<vtkPolyData> poly_lines(const std::vector<Line>& lines) {
 
 /// Lines on the paper.
 struct Pen {
+  float width;  // logical pixels
   vtkNew<vtkPolyDataMapper> mapper;
   vtkNew<vtkActor> actor;
 
-  Pen(const Eigen::Vector3d& colour, float width) {
+  Pen(const Eigen::Vector3d& colour, float line_width) : width(line_width) {
     mapper->SetInputData(poly_lines({}));
     actor->SetMapper(mapper);
     actor->PickableOff();
     vtkProperty* look = actor->GetProperty();
     look->SetColor(colour.x(), colour.y(), colour.z());
-    look->SetLineWidth(width);
     look->LightingOff();
   }
-  void draw(const std::vector<Line>& lines) { mapper->SetInputData(poly_lines(lines)); }
+  /// ratio: of render/pixel_ratio.h.
+  void draw(const std::vector<Line>& lines, double ratio) {
+    actor->GetProperty()->SetLineWidth(static_cast<float>(ratio) * width);
+    mapper->SetInputData(poly_lines(lines));
+  }
 };
 
-/// Lines in the picture's own pixels.
+/// Lines in the picture's logical pixels.
 struct FixedPen {
+  float width;  // likewise
   vtkNew<vtkPolyDataMapper2D> mapper;
   vtkNew<vtkActor2D> actor;
 
-  FixedPen(const Eigen::Vector3d& colour, float width) {
+  FixedPen(const Eigen::Vector3d& colour, float line_width) : width(line_width) {
     mapper->SetInputData(poly_lines({}));
     actor->SetMapper(mapper);
     actor->GetProperty()->SetColor(colour.x(), colour.y(), colour.z());
-    actor->GetProperty()->SetLineWidth(width);
   }
-  void draw(const std::vector<Line>& lines) { mapper->SetInputData(poly_lines(lines)); }
+  void draw(std::vector<Line> lines, double ratio) {
+    for (Line& line : lines) {
+      for (Place& place : line) place *= ratio;
+    }
+    actor->GetProperty()->SetLineWidth(static_cast<float>(ratio) * width);
+    mapper->SetInputData(poly_lines(lines));
+  }
 };
 
 vtkSmartPointer<vtkTextActor> text_of(const std::string& words, bool on_paper) {
@@ -161,6 +172,7 @@ std::vector<Line> grid_lines(const Place& low, const Place& high, double step) {
 struct ProfileDrawing::Impl {
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkCallbackCommand> before_render;
+  double ratio = 1;  ///< pixels a logical one
   Pen fine_grid{{0.90, 0.92, 0.94}, 1}, grid{{0.78, 0.82, 0.86}, 1};
   Pen before{before_colour, 2.5F}, after{after_colour, 2.5F};
   Pen marks_before{before_colour, 1.5F}, marks_after{after_colour, 2};
@@ -211,8 +223,10 @@ struct ProfileDrawing::Impl {
   void prepare_frame() {
     vtkCamera* camera = renderer->GetActiveCamera();
     camera->SetClippingRange(1, 200);
-    const int width = std::max(renderer->GetSize()[0], 1);
-    const int height = std::max(renderer->GetSize()[1], 1);
+    // Logical pixels, as fonts have them.
+    ratio = pixel_ratio(renderer);
+    const int width = std::max(static_cast<int>(renderer->GetSize()[0] / ratio), 1);
+    const int height = std::max(static_cast<int>(renderer->GetSize()[1] / ratio), 1);
     const double pixel = 2 * camera->GetParallelScale() / height;  // mm
     const Place centre(camera->GetFocalPoint());
     const Place half(pixel * width / 2, pixel * height / 2);
@@ -220,8 +234,8 @@ struct ProfileDrawing::Impl {
     while (step < 9 * pixel)
       step = std::abs(std::log10(step) - std::round(std::log10(step))) < 0.1 ? 5 * step : 2 * step;
     const double major = step < 5 ? 10 * step : 2 * step;
-    fine_grid.draw(grid_lines(centre - half, centre + half, step));
-    grid.draw(grid_lines(centre - half, centre + half, major));
+    fine_grid.draw(grid_lines(centre - half, centre + half, step), ratio);
+    grid.draw(grid_lines(centre - half, centre + half, major), ratio);
     draw_faces(pixel);
     draw_key(width, height, pixel, step, major);
   }
@@ -233,8 +247,8 @@ struct ProfileDrawing::Impl {
         dashes.push_back(std::move(dash));
       }
     }
-    before.draw(dashes);
-    after.draw(after_lines);
+    before.draw(dashes, ratio);
+    after.draw(after_lines, ratio);
     std::vector<Line> rings, dots;
     for (std::size_t i = 0; i < profile.landmarks.size(); ++i) {
       const ProfileLandmark& landmark = profile.landmarks[i];
@@ -243,8 +257,8 @@ struct ProfileDrawing::Impl {
       for (const double radius : {1.0, 2.0, 3.0, 4.0}) dots.push_back(circle(to, radius * pixel));
     }
     place_names(pixel);
-    marks_before.draw(rings);
-    marks_after.draw(dots);
+    marks_before.draw(rings, ratio);
+    marks_after.draw(dots, ratio);
   }
 
   /// Beside the landmarks, the upper one above, none over another.
@@ -281,12 +295,12 @@ struct ProfileDrawing::Impl {
     caption->SetInput(
         wrapped(words.caption, std::max(static_cast<int>(0.6 * width / (0.52 * caption_size)), 12))
             .c_str());
-    caption->SetPosition(0.03 * width, 0.97 * height);
+    caption->SetPosition(ratio * 0.03 * width, ratio * 0.97 * height);
     for (const auto& name : names) name->GetTextProperty()->SetFontSize(std::max(size - 2, 11));
-    sides[0]->SetPosition(0.012 * width, 0.5 * height);
-    sides[1]->SetPosition(0.975 * width, 0.5 * height);
-    sides[2]->SetPosition(0.5 * width, 0.975 * height);
-    sides[3]->SetPosition(0.5 * width, 0.025 * height);
+    sides[0]->SetPosition(ratio * 0.012 * width, ratio * 0.5 * height);
+    sides[1]->SetPosition(ratio * 0.975 * width, ratio * 0.5 * height);
+    sides[2]->SetPosition(ratio * 0.5 * width, ratio * 0.975 * height);
+    sides[3]->SetPosition(ratio * 0.5 * width, ratio * 0.025 * height);
   }
 
   /// How the faces and the landmarks are drawn, in rows `line` pixels high.
@@ -296,31 +310,31 @@ struct ProfileDrawing::Impl {
     std::vector<Line> before_keys =
         dashed({{left, low + line}, {left + sample, low + line}}, dash_pixels, gap_pixels);
     std::vector<Line> after_keys{{{left, low}, {left + sample, low}}};
-    before_word->SetPosition(left + word, low + line);
-    after_word->SetPosition(left + word, low);
+    before_word->SetPosition(ratio * (left + word), ratio * (low + line));
+    after_word->SetPosition(ratio * (left + word), ratio * low);
     if (!profile.landmarks.empty()) {
       const double row = low + 2 * line;
       before_keys.push_back(circle({left + 0.25 * sample, row}, 4.5));
       for (const double radius : {1.0, 2.0, 3.0, 4.0}) {
         after_keys.push_back(circle({left + 0.75 * sample, row}, radius));
       }
-      landmarks_word->SetPosition(left + word, row);
+      landmarks_word->SetPosition(ratio * (left + word), ratio * row);
     }
     landmarks_word->SetVisibility(!profile.landmarks.empty());
-    key_before.draw(before_keys);
-    key_after.draw(after_keys);
+    key_before.draw(before_keys, ratio);
+    key_after.draw(after_keys, ratio);
   }
 
   void draw_ruler(const Place& at, double pixel, double step, double major) {
     const double left = at.x(), right = left + major / pixel, y = at.y();
-    ruler.draw({{{left, y}, {right, y}},
-                {{left, y - 5}, {left, y + 5}},
-                {{right, y - 5}, {right, y + 5}}});
+    ruler.draw(
+        {{{left, y}, {right, y}}, {{left, y - 5}, {left, y + 5}}, {{right, y - 5}, {right, y + 5}}},
+        ratio);
     const auto mm = [](double value) {
       return std::to_string(static_cast<int>(std::lround(value))) + " mm";
     };
     scale_word->SetInput((mm(major) + "   (" + words.grid + " " + mm(step) + ")").c_str());
-    scale_word->SetPosition(right + 8, y);
+    scale_word->SetPosition(ratio * (right + 8), ratio * y);
   }
 };
 

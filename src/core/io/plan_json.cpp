@@ -332,7 +332,7 @@ PhotographSource read_photograph(JsonReader object, const fs::path& case_file) {
 }
 
 HingeAxis read_hinge(JsonReader object) {
-  const HingeAxis hinge{object.required_vector("right"), object.required_vector("left")};
+  HingeAxis hinge{object.required_vector("right"), object.required_vector("left")};
   object.finish();
   if (hinge.left.x() - hinge.right.x() < least_hinge_mm) {
     object.refuse("left", "it does not lie at least 20 mm to the patient's left of the right one",

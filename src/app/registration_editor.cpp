@@ -314,13 +314,14 @@ std::vector<LandmarkPair> RegistrationEditor::pairs() const {
 void RegistrationEditor::take_landmarks() {
   std::vector<PickedLandmark> landmarks = no_landmarks();
   if (const PhotographSource* plan = planned()) {
-    for (const auto& [name, at] : plan->landmarks) {
-      const auto known = std::find_if(landmarks.begin(), landmarks.end(),
-                                      [&](const auto& landmark) { return landmark.name == name; });
+    for (const auto& place : plan->landmarks) {
+      const auto known =
+          std::find_if(landmarks.begin(), landmarks.end(),
+                       [&](const auto& landmark) { return landmark.name == place.first; });
       if (known == landmarks.end()) {
-        landmarks.push_back({name, at});
+        landmarks.push_back({place.first, place.second});
       } else {
-        known->at = at;
+        known->at = place.second;
       }
     }
   }

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <future>
 #include <iomanip>
+#include <optional>
 #include <sstream>
 #include <utility>
 
 #include "base/error.h"
+#include "bone/cut_preview.h"
 #include "geometry/triangle_mesh.h"
 #include "imaging/ct_import.h"
 #include "io/files.h"
@@ -146,11 +148,19 @@ void take_segments(const std::vector<PlannedSegment>& planned, const Anatomy& kn
   }
 }
 
+/// What the preview of a cut refuses is refused wherever it is made.
+void require_allowed(const PlannedSegment& planned, const TriangleMesh& bone) {
+  const std::optional<Error> refusal = CutPreviewer(bone).preview(planned.cut).refusal;
+  if (!refusal) return;
+  throw Error(refusal->kind(), planned.name, refusal->problem(), refusal->remedy());
+}
+
 /// Cuts the segments that the anatomy has not yet one after the other, each from what the ones
 /// before have left.
 void cut_segments(const std::vector<PlannedSegment>& planned, Anatomy& anatomy,
                   Progress& progress) {
   for (std::size_t s = anatomy.segments.size(); s < planned.size(); ++s) {
+    require_allowed(planned[s], anatomy.remainder);
     SegmentResult cut = cut_segment(anatomy.remainder, planned[s].cut, {}, progress);
     if (s > 0) {
       anatomy.left_by_cut.push_back(

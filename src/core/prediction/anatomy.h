@@ -62,8 +62,9 @@ struct KnownAnatomy {
 /// segments the remainder is the bone.
 ///
 /// What the plan has in common with the known one is taken from there, so that no step runs twice
-/// on the same input, and the result is that of a build from nothing, to the bit: the CT and its
-/// hash by its source; bone and skin by the CT and their options; the photograph by its file;
+/// on the same input, and the result is that of a build from nothing, to the bit (but for the order
+/// of vertices where a saw passes exactly through some: CGAL's depends on addresses): the CT and
+/// its hash by its source; bone and skin by the CT and their options; the photograph by its file;
 /// segments and remainders up to the first cut that differs. Files count as the same by their
 /// paths: one that was changed on disk since is not read again. `known` may go once this returns.
 /// Throws Error of kind input or anatomy as the steps do, and Error(cancelled).

@@ -95,6 +95,7 @@ class AnatomyReuse : public ::testing::Test {
   }
 
   /// Three segments, the face the CT's skin.
+  /// No blade passes through the voxels' middles, where vertices lie: see build_anatomy().
   static SurgicalCase base() {
     SurgicalCase plan;
     plan.ct.path = *folder_ / "ct.mha";
@@ -102,7 +103,7 @@ class AnatomyReuse : public ::testing::Test {
     plan.segments = {
         {"front", box_between({-30, -50, -10}, {30, -20, 10}), {}, {}},
         {"low", box_between({-20, -10, -50}, {20, 10, -20}), {}, {}},
-        {"top", PlateCut{{0, 0, 22}, {0, 0, 1}, {1, 0, 0}, 60, 60, 1, {0, 0, 34}}, {}, {}}};
+        {"top", PlateCut{{0, 0, 21}, {0, 0, 1}, {1, 0, 0}, 60, 60, 1, {0, 0, 34}}, {}, {}}};
     return plan;
   }
 
@@ -202,6 +203,30 @@ TEST_F(AnatomyReuse, ASegmentTakenFromTheMiddleCutsThoseAfterIt) {
   plan = base();
   std::swap(plan.segments[0], plan.segments[1]);
   check(plan, Stages(3, "osteotomy"));
+}
+
+TEST_F(AnatomyReuse, ACutThroughOtherBoneIsRefusedAsInItsPreview) {
+  SurgicalCase plan = base();
+  PlannedSegment slab, half;
+  slab.name = "slab";
+  slab.cut = box_between({-50, -50, -10}, {50, 50, 10});
+  half.name = "half of the upper cap";
+  PlateCut blade{.centre = {0, 0, 23},
+                 .normal = {1, 0, 0},
+                 .in_plane = {0, 1, 0},
+                 .half_width = 50,
+                 .half_height = 15,
+                 .kerf = 0.5,
+                 .seed = {15, 0, 20}};
+  half.cut = blade;
+  plan.segments = {slab, half};
+  Progress progress;
+  EXPECT_EQ(build_anatomy(plan, progress, nullptr).segments.size(), 2u);
+  blade.centre = {0, 0, 0};
+  blade.half_height = 60;  // through the lower cap too
+  plan.segments[1].cut = blade;
+  test::expect_error(ErrorKind::anatomy, {"half of the upper cap", "also cuts bone"},
+                     [&] { build_anatomy(plan, progress, nullptr); });
 }
 
 TEST_F(AnatomyReuse, WithoutSegmentsTheBoneRemains) {

@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QFile>
 #include <QMetaObject>
 #include <QMouseEvent>
 #include <QOpenGLWidget>
@@ -26,6 +27,11 @@
 #include "app/main_window.h"
 #include "bench/timing.h"
 #include "io/case_file.h"
+
+/// Qt asks that this be outside any namespace.
+static void add_resources() {
+  Q_INIT_RESOURCE(gnathion);
+}
 
 namespace gnathion::bench {
 namespace {
@@ -196,6 +202,11 @@ int measure(WatchedApplication& app, const std::string& file) {
 }  // namespace gnathion::bench
 
 int main(int argc, char** argv) {
+  // The user's recent cases stay as they are.
+  const QTemporaryDir own;
+  for (const char* place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME"}) {
+    qputenv(place, QFile::encodeName(own.path()));
+  }
   QCoreApplication::setApplicationName("gnathion");
   if (argc != 2) {
     std::fprintf(stderr, "gnathion-window-bench CASE.json\n");
@@ -209,6 +220,7 @@ int main(int argc, char** argv) {
   gnathion::prepare_graphics();
   gnathion::bench::WatchedApplication app(argc, argv);
   gnathion::use_c_numbers();
+  add_resources();
   try {
     return gnathion::bench::measure(app, argv[1]);
   } catch (const std::exception& error) {

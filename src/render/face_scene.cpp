@@ -605,13 +605,14 @@ void FaceScene::set_bone_drawn(const std::string& name, bool drawn) {
 
 void FaceScene::set_coarse_bones(bool coarse) {
   impl_->coarse_bones = coarse;
+  impl_->renderer->set_quick(coarse || impl_->coarse);
   for (auto& [name, bone] : impl_->bones) impl_->apply_visibility(bone);
 }
 
 void FaceScene::set_coarse(bool coarse) {
   if (coarse == impl_->coarse) return;
   impl_->coarse = coarse;
-  impl_->renderer->set_quick(coarse);
+  impl_->renderer->set_quick(coarse || impl_->coarse_bones);
   const bool outdated = coarse ? impl_->draws_coarse_face() : impl_->parts_outdated;
   if (outdated) impl_->move_face();
   impl_->show_fine_or_coarse_face();

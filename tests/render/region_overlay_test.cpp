@@ -93,6 +93,16 @@ TEST_F(OverlayTest, RegionIsGreenAndLetsThePhotographThrough) {
   EXPECT_EQ(greenish(front()), painted);
 }
 
+TEST_F(OverlayTest, RegionLooksTheSameWhileFramesAreQuick) {
+  show_region();
+  const Picture at_rest = front();
+  scene.set_coarse_bones(true);  // a stroke of the brush
+  const Picture quick = front();
+  EXPECT_LT(difference(quick, at_rest).far_pixels, 0.001);
+  scene.set_coarse_bones(false);
+  EXPECT_EQ(front(), at_rest);
+}
+
 TEST_F(OverlayTest, RegionFollowsTheFace) {
   show_region();
   const double before = mean_column(front(), is_greenish);

@@ -589,6 +589,16 @@ TEST_F(Cli, RegisterFindsThePhotographsPlace) {
   plan["photograph"]["transform"] = {{"scale", 1},
                                      {"rotation", {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}},
                                      {"translation_mm", {80, -40, 95}}};
+  // Landmarks that the case keeps judge; a half-picked one says nothing.
+  const json true_place =
+      json::parse(bytes_of(folder() / "demo/truth.json"))["lps_from_photograph"];
+  Eigen::Matrix3d turn;
+  for (int row = 0; row < 3; ++row) turn.row(row) = vector_of(true_place["rotation"][row]);
+  const Eigen::Vector3d tip = vector_of(plan["landmarks"]["nose_tip"]);
+  const Eigen::Vector3d own = turn.transpose() * (tip - vector_of(true_place["translation"]));
+  plan["photograph"]["landmarks"] = {
+      {"nose_tip", {{"scan", {own.x(), own.y(), own.z()}}, {"ct", plan["landmarks"]["nose_tip"]}}},
+      {"nasion", {{"ct", {0, -100, 30}}}}};
   temporary_->write("Fälle von heute/demo/lost.json", plan.dump());
   const CliRun run = run_cli(folder(), {"register", "demo/lost.json", "found"});
   EXPECT_EQ(run.code, 0) << run.err;
@@ -604,6 +614,10 @@ TEST_F(Cli, RegisterFindsThePhotographsPlace) {
   const json report = json::parse(bytes_of(folder() / "found/registration.json"));
   EXPECT_TRUE(report["doubts"].empty());
   EXPECT_LT(report["distance_mm"]["p95"], 0.6);
+  ASSERT_EQ(report["landmarks_mm"].size(), 1U);
+  EXPECT_LT(report["landmarks_mm"]["nose_tip"], 0.3);
+  EXPECT_EQ(json::parse(bytes_of(folder() / "found/case.json"))["photograph"]["landmarks"],
+            plan["photograph"]["landmarks"]);
 
   // What was measured is told also where it is refused: it says what to mend.
   const CliRun poor =
@@ -623,6 +637,9 @@ TEST_F(Cli, RegisterFindsThePhotographsPlace) {
   temporary_->write("Fälle von heute/stable", "1 2 99999999");
   expect_failure(4, {"stable", "99999999"},
                  {"register", "demo/lost.json", "x", "--stable", "stable"});
+  plan["photograph"]["stable_vertices"] = "0-9";
+  temporary_->write("Fälle von heute/demo/few.json", plan.dump());
+  expect_failure(4, {"stable region", "fewer than 50"}, {"register", "demo/few.json", "x"});
 }
 
 TEST_F(Cli, AnOutputThatExistsOrCannotBeMadeIsCode7) {

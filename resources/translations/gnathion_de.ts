@@ -1263,7 +1263,7 @@
         <translation>Landmarken</translation>
     </message>
     <message>
-        <source>Clear in the &amp;photograph</source>
+        <source>Clear in the pho&amp;tograph</source>
         <translation>Im &amp;Foto löschen</translation>
     </message>
     <message>
@@ -4019,6 +4019,10 @@ gedämpfte Bewegung, alpha %3/s, beta %4 s, lineares Modell auf linearen Element
         <translation>
             <numerusform>Ihr Rand berührt sich in einem Punkt, der markiert ist. Drücken Sie Säubern.</numerusform>
             <numerusform>Ihr Rand berührt sich in %n Punkten, die markiert sind. Drücken Sie Säubern.</numerusform>
+    <message>
+        <source>The CT&apos;s skin: click the chosen landmark</source>
+        <translation>Die Haut des CT: die gewählte Landmarke anklicken</translation>
+    </message>
         </translation>
     </message>
     <message>

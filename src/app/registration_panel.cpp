@@ -11,6 +11,7 @@
 
 #include "app/core_words.h"
 #include "app/face_view.h"
+#include "app/photographs_dialog.h"
 #include "app/theme.h"
 #include "ui_registration_panel.h"
 
@@ -111,7 +112,8 @@ RegistrationPanel::RegistrationPanel(CaseController& controller, FaceView& view,
       editor_(controller),
       tool_(editor_),
       stable_(controller),
-      brush_(view, stable_, overlay_) {
+      brush_(view, stable_, overlay_),
+      photographs_(new PhotographsDialog(controller, view, this)) {
   ui_->setupUi(this);
   nudge_boxes_ = {ui_->nudge_forward_box, ui_->nudge_up_box,   ui_->nudge_left_box,
                   ui_->nudge_pitch_box,   ui_->nudge_roll_box, ui_->nudge_yaw_box};
@@ -167,6 +169,11 @@ void RegistrationPanel::connect_buttons() {
   connect(ui_->add_photograph_button, &QAbstractButton::clicked, this,
           &RegistrationPanel::photograph_wanted);
   connect(ui_->use_skin_button, &QAbstractButton::clicked, this, &RegistrationPanel::use_skin);
+  connect(ui_->project_photographs_button, &QAbstractButton::clicked, photographs_, [this] {
+    photographs_->show();
+    photographs_->raise();
+  });
+  connect(photographs_, &PhotographsDialog::failed, this, &RegistrationPanel::failed);
   connect(ui_->accept_fit_button, &QAbstractButton::clicked, &editor_, &RegistrationEditor::accept);
   connect(ui_->reject_fit_button, &QAbstractButton::clicked, &editor_, &RegistrationEditor::reject);
   connect(ui_->cancel_fit_button, &QAbstractButton::clicked, &editor_, &RegistrationEditor::cancel);
@@ -263,6 +270,7 @@ void RegistrationPanel::set_active(bool active) {
   if (active) {
     show_state();
   } else {
+    photographs_->hide();
     end_scene();
   }
 }
@@ -434,6 +442,8 @@ void RegistrationPanel::update_enabled() {
   const bool free = any && !fitting;
   ui_->add_photograph_button->setEnabled(!editing && !fitting);
   ui_->use_skin_button->setEnabled(free);
+  ui_->project_photographs_button->setEnabled(!editing && controller_.has_case() &&
+                                              !editor_.has_photograph());
   for (QWidget* widget :
        std::initializer_list<QWidget*>{ui_->fit_auto_button, ui_->fit_scale_box,
                                        ui_->fit_region_box, ui_->refine_button, ui_->nudge_group}) {

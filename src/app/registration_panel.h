@@ -22,6 +22,7 @@ class RegistrationPanel;
 namespace gnathion {
 
 class FaceView;
+class PhotographsDialog;
 
 /// The step "Photograph": which photograph is the face, and where it lies on the CT.
 class RegistrationPanel : public QWidget {
@@ -95,6 +96,7 @@ class RegistrationPanel : public QWidget {
   std::array<QDoubleSpinBox*, 6> nudge_boxes_;   ///< in the order of JawMotion's members
   QTimer show_timer_;  ///< many changes in one turn of the event loop are shown once
   Show show_ = Show::both;
+  PhotographsDialog* photographs_;  ///< a window of its own, owned by Qt
   bool active_ = false;
   bool has_scene_ = false;  ///< the view shows the photograph for this step
   std::filesystem::path fit_next_;

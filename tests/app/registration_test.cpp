@@ -18,10 +18,13 @@
 #include "app/face_view.h"
 #include "app/main_window.h"
 #include "app/registration_panel.h"
+#include "app/photographs_dialog.h"
+#include "app/picture_pane.h"
 #include "demo/demo_case.h"
 #include "io/case_file.h"
 #include "io/input_kind.h"
 #include "scan/scan_import.h"
+#include "support/photo_scene.h"
 #include "user.h"
 
 namespace gnathion::test {
@@ -66,6 +69,9 @@ class RegistrationTest : public QObject {
   void exchangedLandmarksAreRefused();
   void shapeThatIsNoFaceIsRefused();
   void skinTakesThePhotographsPlace();
+  void photographsCameraIsFoundFromClicks();
+  void photographsAreShownBeforeTheyAreApplied();
+  void appliedPhotographsAreAStep();
   void photographIsAddedAndFitted();
   void faceIsExportedInEachFormat();
   void otherStepShowsTheFaceAgain();
@@ -75,6 +81,24 @@ class RegistrationTest : public QObject {
   User user() const { return {*window_}; }
   const RegistrationEditor& editor() const {
     return window_->findChild<RegistrationPanel*>()->editor();
+  }
+  const PhotographsDialog& projection() const {
+    return *user().find<PhotographsDialog>("photographs_dialog");
+  }
+  /// As User::shoot().
+  void shoot_projection(const char* name) const {
+    const QString shots = qEnvironmentVariable("GNATHION_SHOTS");
+    if (shots.isEmpty()) return;
+    user().find<PhotographsDialog>("photographs_dialog")->grab().save(shots + "/" + name + ".png");
+  }
+  const StableRegionEditor& stable() const {
+    return window_->findChild<RegistrationPanel*>()->stable_region();
+  }
+  /// Drags the mouse from where `at` is seen.
+  void stroke(const Vector3d& at, QPoint way) const {
+    const QPoint from = user().pixel_of(at);
+    user().drag(from, from + way);
+    QTest::qWait(1);
   }
   Similarity planned() const { return user().model().plan().photograph->lps_from_photograph; }
   void rest() const {
@@ -478,6 +502,98 @@ void RegistrationTest::skinTakesThePhotographsPlace() {
   QVERIFY(user().find<QLabel>("photograph_state_label")->text().contains("No photograph"));
   QVERIFY(!window_->face_view().scene().bone_names().empty());
   user().shoot("registration_skin");
+}
+
+void RegistrationTest::photographsCameraIsFoundFromClicks() {
+  const SkinSight skin(user().model().loaded().anatomy->face.mesh.surface);
+  const PhotoCamera camera = camera_from(0, 2, 0, 1200, 70, 900);
+  const std::string png = png_of(photograph(camera, skin, FacePaint(HeadModel(), 1)));
+  QFile file(folder_.filePath("von vorn.png"));
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  QCOMPARE(file.write(png.data(), static_cast<qint64>(png.size())),
+           static_cast<qint64>(png.size()));
+  file.close();
+  user().look_from("front_action");
+  user().click("project_photographs_button");
+  QVERIFY(projection().isVisible());
+  user().click("photographs_add_button");
+  user().answer("photographs_file_dialog", file.fileName());
+  QTRY_COMPARE(projection().editor().photos().size(), std::size_t{1});
+  QVERIFY(!user().find<QPushButton>("photographs_preview_button")->isEnabled());
+  auto* table = user().find<QTableWidget>("photographs_table");
+  auto* pane = user().find<PicturePane>("photographs_picture");
+  const auto places = picked_places();
+  const char* names[] = {
+      "nasion_soft",         "nose_tip",           "subnasale",          "canthus_outer_right",
+      "canthus_inner_right", "canthus_inner_left", "canthus_outer_left", "mouth_corner_right",
+      "mouth_corner_left",   "pogonion_soft"};
+  QTRY_VERIFY(!projection().editor().is_fitting());  // the skin is ready
+  for (int row = 0; row < 10; ++row) {
+    QCOMPARE(table->currentRow(), row);
+    const Vector3d at = places.at(names[row]);
+    QTest::mouseClick(pane, Qt::LeftButton, {}, pane->place_of(camera.pixel(at)).toPoint());
+    QCOMPARE(table->currentRow(), row + 1);
+    QCOMPARE(cell("photographs_table", row, 2), QString("✓"));
+  }
+  for (int row = 0; row < 10; ++row) {
+    table->setCurrentCell(row, 0);
+    QTest::mouseClick(user().canvas(), Qt::LeftButton, {}, user().pixel_of(places.at(names[row])));
+    QCOMPARE(cell("photographs_table", row, 1), QString("✓"));
+  }
+  QTRY_VERIFY(projection().editor().is_ready());
+  const CameraFit& fit = *projection().editor().photos()[0].fit;
+  qInfo("camera: %.2f mm RMS, sure to %.2f mm", fit.rms_mm, fit.uncertainty_mm);
+  QVERIFY(fit.rms_mm < 1.5);
+  QVERIFY(cell("photographs_table", 1, 4) != "–");
+  QVERIFY(user().label("photographs_state_label").contains("Camera found"));
+  user().shoot("photographs_picked");
+  shoot_projection("photographs_dialog");
+}
+
+void RegistrationTest::photographsAreShownBeforeTheyAreApplied() {
+  auto* pane = user().find<PicturePane>("photographs_picture");
+  const double whole = pane->zoom();
+  const std::size_t picks = projection().editor().photos()[0].pixels.size();
+  user().wheel(pane, {200, 200}, 3);
+  QVERIFY(pane->zoom() > 1.5 * whole);
+  Stroke over_pane;
+  over_pane.over = pane;
+  user().drag({200, 200}, {260, 230}, over_pane);  // moves the picture, picks nothing
+  QCOMPARE(projection().editor().photos()[0].pixels.size(), picks);
+  QTest::keyClick(pane, Qt::Key_0);
+  QCOMPARE(pane->zoom(), whole);
+  user().click("photographs_preview_button");
+  user().click("photographs_cancel_button");
+  QTRY_VERIFY(!projection().editor().is_projecting());
+  QVERIFY(projection().editor().preview() == nullptr);
+  const Picture plain = window_->face_view().picture();
+  user().click("photographs_preview_button");
+  QTRY_VERIFY_WITH_TIMEOUT(projection().editor().preview() != nullptr, User::patience);
+  QVERIFY(user().caption().contains("not applied yet"));
+  QVERIFY(window_->face_view().picture().rgb != plain.rgb);
+  QVERIFY(!user().model().plan().photograph);
+  user().shoot("photographs_preview");
+  shoot_projection("photographs_dialog_preview");
+}
+
+void RegistrationTest::appliedPhotographsAreAStep() {
+  user().click("photographs_apply_button");
+  user().answer("photographs_folder_dialog", folder_.filePath("gemalt"));
+  QTRY_VERIFY_WITH_TIMEOUT(user().model().plan().photograph.has_value(), User::patience);
+  rest();
+  QVERIFY(!projection().isVisible());
+  QVERIFY(user().model().loaded().anatomy->face.is_photograph);
+  QCOMPARE(QFile::decodeName(user().model().plan().photograph->obj.c_str()),
+           folder_.filePath("gemalt/photograph.obj"));
+  QCOMPARE(QString::fromStdString(user().model().history().undo_name()),
+           QString("Project photographs"));
+  QVERIFY(!user().find<QPushButton>("project_photographs_button")->isEnabled());
+  QVERIFY(!user().message_visible());
+  user().shoot("photographs_applied");
+  user().trigger("undo_action");
+  rest();
+  QVERIFY(!user().model().plan().photograph);
+  QCOMPARE(projection().editor().photos().size(), std::size_t{1});  // to be mended
 }
 
 void RegistrationTest::photographIsAddedAndFitted() {

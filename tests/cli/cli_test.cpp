@@ -15,6 +15,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "support/photo_scene.h"
+#include "support/scan_scene.h"
 #include "support/temporary_folder.h"
 
 namespace gnathion {
@@ -640,6 +642,50 @@ TEST_F(Cli, RegisterFindsThePhotographsPlace) {
   plan["photograph"]["stable_vertices"] = "0-9";
   temporary_->write("Fälle von heute/demo/few.json", plan.dump());
   expect_failure(4, {"stable region", "fewer than 50"}, {"register", "demo/few.json", "x"});
+}
+
+TEST_F(Cli, PhotographsPaintTheSkinOfTheCt) {
+  const SkinSight skin(test::head_skin({}));
+  const PhotoCamera camera = test::camera_from(0, 2, 0, 1200, 70, 400);
+  const Photo photo = test::photograph(camera, skin, FacePaint(HeadModel(), 1));
+  temporary_->write("Fälle von heute/vorn.png", png_of(photo));
+  const auto truth = phantom_truth().landmarks;
+  json marks, few;
+  for (const char* name : {"nasion_soft", "nose_tip", "subnasale", "upper_lip", "pogonion_soft",
+                           "menton_soft", "mouth_corner_left", "mouth_corner_right"}) {
+    const Eigen::Vector2d at = camera.pixel(truth.at(name));
+    marks["landmarks"][name] = {at.x(), at.y()};
+  }
+  few["landmarks"] = {{"nose_tip", {3, 4}}, {"ear", {5, 6}}};
+  temporary_->write("Fälle von heute/vorn.json", marks.dump());
+  temporary_->write("Fälle von heute/few.json", few.dump());
+  const std::vector<std::string> begin{"photographs", "demo/case.json"};
+  const auto with = [&](std::vector<std::string> rest) {
+    rest.insert(rest.begin(), begin.begin(), begin.end());
+    return rest;
+  };
+  const CliRun run =
+      run_cli(folder(),
+              with({"painted", "--photo", "vorn.png=vorn.json", "--landmarks", "demo/truth.json"}));
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("nose_tip"), std::string::npos) << run.out;
+  const json report = json::parse(bytes_of(folder() / "painted/projection.json"));
+  EXPECT_LT(report["photographs"][0]["camera"]["rms_mm"], 0.5);
+  EXPECT_GT(report["seen_cm2"], 200);
+  const json plan = json::parse(bytes_of(folder() / "painted/case.json"));
+  EXPECT_EQ(plan["photograph"]["obj"], "photograph.obj");
+  EXPECT_EQ(run_cli(folder(), {"check", "painted/case.json"}).code, 0);
+  const CliRun surfaces = run_cli(folder(), {"surfaces", "painted/case.json", "painted-again"});
+  EXPECT_EQ(surfaces.code, 0) << surfaces.err;
+  EXPECT_EQ(bytes_of(folder() / "painted-again/face.obj"),
+            bytes_of(folder() / "painted/photograph.obj"));
+
+  expect_failure(4, {"vorn.json", "nasion_soft", "--landmarks"},
+                 with({"x", "--photo", "vorn.png=vorn.json"}));
+  expect_failure(4, {"few.json", "ear"}, with({"x", "--photo", "vorn.png=few.json"}));
+  expect_failure(2, {"vorn.png", "names no landmarks"}, with({"x", "--photo", "vorn.png"}));
+  expect_failure(4, {"none.png", "does not exist"}, with({"x", "--photo", "none.png=few.json"}));
+  EXPECT_EQ(run_cli(folder(), with({"x"})).code, 2);
 }
 
 TEST_F(Cli, AnOutputThatExistsOrCannotBeMadeIsCode7) {

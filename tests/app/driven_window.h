@@ -59,13 +59,14 @@ class DrivenWindow : public User {
  protected:
   QString path(const QString& name) const { return folder_.filePath(name); }
   void make_demo() const { copy_demo_case(demo_.toStdString()); }
-  /// The demo case changed, in a file beside it. Small strain on linear elements, unless that is
-  /// changed: an answer in less than a second.
+  /// The demo case changed, in a file beside it. Small strain on few linear elements, unless that
+  /// is changed: an answer in less than a second.
   template <typename Change>
   QString changed_case(const QString& name, Change change) const {
     SurgicalCase plan = read_case_file(demo_.toStdString() + "/case.json");
     plan.tissue.strain = Strain::small;
     plan.tissue.elements = Elements::linear;
+    plan.tissue.edge_mm = 4;
     change(plan);
     const QString file = demo_ + "/" + name;
     write_case_file(plan, file.toStdString());

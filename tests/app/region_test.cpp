@@ -65,10 +65,8 @@ class RegionTest : public QObject, private DrivenWindow {
 
 void RegionTest::initTestCase() {
   make_demo();
-  const QString file = changed_case("plain.json", [](SurgicalCase& plan) {
-    plan.tissue.elements = Elements::linear;
-    plan.segments[0].motion = {};
-  });
+  const QString file =
+      changed_case("plain.json", [](SurgicalCase& plan) { plan.segments[0].motion = {}; });
   start_window();
   open(file);
   QVERIFY(model().has_model());

@@ -81,13 +81,10 @@ class WindowTest : public QObject, private DrivenWindow {
   QString plain_case() const {
     return changed_case("plain.json", [](SurgicalCase&) {});
   }
-  /// Quadratic elements where they are ready. With an edge of its own, or an answer might be looked
-  /// for on finer meshes, which takes many seconds.
+  /// Quadratic elements where they are ready.
   QString sharp_case() const {
-    return changed_case("sharp.json", [](SurgicalCase& plan) {
-      plan.tissue.elements = Elements::automatic;
-      plan.tissue.edge_mm = 3;
-    });
+    return changed_case("sharp.json",
+                        [](SurgicalCase& plan) { plan.tissue.elements = Elements::automatic; });
   }
 
   fs::path made_;  ///< the demo case in the user's cache

@@ -8,6 +8,7 @@
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
 
 #include "offscreen/osmesa_window.h"
 #include "render/scene_fixture.h"
@@ -120,6 +121,27 @@ TEST_F(HandleTest, MouseBesideTheHandleTurnsTheCameraOnly) {
   EXPECT_TRUE(moved.empty());
   EXPECT_EQ(taken, 0);
   EXPECT_EQ(handle.translation(), Eigen::Vector3d::Zero());
+}
+
+TEST_F(HandleTest, BallIsAsLargeToTheEyeOnAScreenOfTwiceTheDots) {
+  const auto yellow_pixels = [this] {
+    window->Render();
+    vtkNew<vtkUnsignedCharArray> rgb;
+    constexpr int back_buffer = 0;
+    window->GetPixelData(0, 0, side - 1, side - 1, back_buffer, rgb, 0);
+    int count = 0;
+    for (vtkIdType i = 0; i < rgb->GetNumberOfValues(); i += 3) {
+      const unsigned char* p = rgb->GetPointer(i);
+      count += p[0] > 150 && p[1] > 90 && p[2] < 60 ? 1 : 0;
+    }
+    return count;
+  };
+  const int plain = yellow_pixels();
+  ASSERT_GT(plain, 50);
+  handle.detach();
+  window->SetDPI(144);
+  handle.attach(interactor, scene.renderer());
+  EXPECT_NEAR(yellow_pixels(), 4 * plain, 0.25 * 4 * plain);
 }
 
 TEST_F(HandleTest, HiddenOrDetachedHandleTakesNoEvents) {

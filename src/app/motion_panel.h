@@ -93,7 +93,7 @@ class MotionPanel : public QWidget {
   bool turns_ = true;
   std::optional<JawMotion> turned_from_;  ///< what a ring that is held began with
   std::optional<HingeAxis> hinge_;
-  bool hinge_is_given_ = false;  ///< in the plan; else found on the bone
+  bool hinge_is_given_ = false;                   ///< in the plan; else found on the bone
   std::shared_ptr<const LoadedCase> hinge_case_;  ///< in which it was looked for
   QPoint pressed_at_;
   GhostBones ghost_;

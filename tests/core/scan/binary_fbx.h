@@ -62,15 +62,9 @@ class BinaryFbx {
   std::vector<bool> nested_;
 };
 
-/// Two triangles with a seam between them and a material each, the first with a picture beside the
-/// file: v 0 0 0, 1 0 0, 1 1 0, 0 1 0.5.
-inline std::string square_as_binary_fbx(const std::string& picture) {
+/// Texture coordinates of the square's corners, and a material for each triangle.
+inline void add_layers(BinaryFbx& fbx) {
   using F = BinaryFbx;
-  F fbx;
-  fbx.open("FBXHeaderExtension").add("FBXVersion", {F::number(7400)}).close();
-  fbx.open("Objects").open("Geometry", {F::id(1), F::named("face", "Geometry"), F::text("Mesh")});
-  fbx.add("Vertices", {F::numbers(std::vector<double>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0.5})});
-  fbx.add("PolygonVertexIndex", {F::numbers(std::vector<std::int32_t>{0, 1, -3, 0, 2, -4})});
   fbx.open("LayerElementUV", {F::number(0)})
       .add("MappingInformationType", {F::text("ByPolygonVertex")})
       .add("ReferenceInformationType", {F::text("IndexToDirect")})
@@ -87,7 +81,20 @@ inline std::string square_as_binary_fbx(const std::string& picture) {
     fbx.open("LayerElement").add("Type", {F::text(layer)}).add("TypedIndex", {F::number(0)});
     fbx.close();
   }
-  fbx.close().close();  // Layer, Geometry
+  fbx.close();  // Layer
+}
+
+/// Two triangles with a seam between them and a material each, the first with a picture beside the
+/// file: v 0 0 0, 1 0 0, 1 1 0, 0 1 0.5.
+inline std::string square_as_binary_fbx(const std::string& picture) {
+  using F = BinaryFbx;
+  F fbx;
+  fbx.open("FBXHeaderExtension").add("FBXVersion", {F::number(7400)}).close();
+  fbx.open("Objects").open("Geometry", {F::id(1), F::named("face", "Geometry"), F::text("Mesh")});
+  fbx.add("Vertices", {F::numbers(std::vector<double>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0.5})});
+  fbx.add("PolygonVertexIndex", {F::numbers(std::vector<std::int32_t>{0, 1, -3, 0, 2, -4})});
+  add_layers(fbx);
+  fbx.close();  // Geometry
   fbx.open("Model", {F::id(2), F::named("face", "Model"), F::text("Mesh")})
       .add("Version", {F::number(232)})
       .close();

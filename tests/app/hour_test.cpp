@@ -3,28 +3,21 @@
 // the files. With GNATHION_SHOTS set to a folder it leaves a picture of each step there: those of
 // docs/user-guide.md (./run pictures).
 #include <QComboBox>
-#include <QLabel>
-#include <QScrollArea>
 #include <QSignalSpy>
 #include <QStackedWidget>
 #include <QTableWidget>
-#include <QTemporaryDir>
-#include <memory>
 
-#include "app/display.h"
-#include "app/user.h"
-#include "geometry/triangle_mesh.h"
-#include "io/case_file.h"
+#include "app/driven_window.h"
 #include "io/files.h"
 #include "io/obj_document.h"
 
 namespace gnathion::test {
 
 /// Each step goes on where the one before ended.
-class HourTest : public QObject {
+class HourTest : public QObject, private DrivenWindow {
   Q_OBJECT
  private slots:
-  void initTestCase();
+  void initTestCase() { start_window(); }
   void openTheDemo();
   void cutTheChin();
   void paintTheRegion();
@@ -36,140 +29,115 @@ class HourTest : public QObject {
   void cleanupTestCase() { window_.reset(); }
 
  private:
-  User user() const { return {*window_}; }
-
-  QTemporaryDir folder_;
-  std::unique_ptr<MainWindow> window_;
+  Points moved_;  ///< the face predicted for the chin that was dragged
 };
 
-void HourTest::initTestCase() {
-  window_ = std::make_unique<MainWindow>();
-  window_->resize(1280, 800);
-  window_->show();
-  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-  QApplication::setActiveWindow(window_.get());
-}
-
 void HourTest::openTheDemo() {
-  const User user = this->user();
-  QCOMPARE(user.find<QStackedWidget>("pages")->currentWidget()->objectName(),
-           QString("welcome_page"));
-  user.shoot("welcome");
-  user.action("demo_action")->trigger();
-  QTRY_VERIFY_WITH_TIMEOUT(user.model().has_model(), User::patience);
-  user.settle();
-  user.shoot("opened");
+  QCOMPARE(find<QStackedWidget>("pages")->currentWidget()->objectName(), QString("welcome_page"));
+  shoot("welcome");
+  trigger("demo_action");
+  QTRY_VERIFY_WITH_TIMEOUT(model().has_model(), patience);
+  settle();
+  shoot("opened");
 }
 
 void HourTest::cutTheChin() {
-  const User user = this->user();
-  user.choose_step("BonePanel");
-  user.shoot("bone");
-  user.click("remove_segment_button");
-  user.settle();
-  QVERIFY(!user.model().has_segments());
-  user.click("chin_button");
-  QTRY_VERIFY_WITH_TIMEOUT(user.find<QAbstractButton>("cut_button")->isEnabled(), User::patience);
-  user.shoot("chin_cut");
-  user.click("cut_button");
-  user.settle();
-  QVERIFY(user.model().has_segments());
-  const BoneSegment& chin = user.model().loaded().anatomy->segments[0];
+  choose_step("BonePanel");
+  shoot("bone");
+  click("remove_segment_button");
+  settle();
+  QVERIFY(!model().has_segments());
+  click("chin_button");
+  QTRY_VERIFY_WITH_TIMEOUT(find<QAbstractButton>("cut_button")->isEnabled(), patience);
+  shoot("chin_cut");
+  click("cut_button");
+  settle();
+  QVERIFY(model().has_segments());
+  const BoneSegment& chin = model().loaded().anatomy->segments[0];
   QVERIFY(chin.volume_mm3 > 1000 && chin.volume_mm3 < 20000);
-  user.shoot("cut");
+  shoot("cut");
 }
 
 void HourTest::paintTheRegion() {
-  const User user = this->user();
-  user.choose_step("RegionPanel");
-  user.settle();
-  const std::size_t before = user.model().loaded().model->problem().face_vertices.size();
-  user.action("front_action")->trigger();
-  QTest::qWait(500);
-  user.shoot("region");
-  const auto& landmarks = user.model().plan().landmarks;
-  user.click("paint_button");
-  user.drag(user.pixel_of(landmarks.at("mouth_corner_left")),
-            user.pixel_of(landmarks.at("nose_tip")));
-  user.settle();
-  QVERIFY(user.model().has_model());
-  QVERIFY(user.model().loaded().model->problem().face_vertices.size() > before);
-  user.shoot("region_painted");
+  choose_step("RegionPanel");
+  settle();
+  const std::size_t before = model().loaded().model->problem().face_vertices.size();
+  look_from("front_action");
+  shoot("region");
+  const auto& landmarks = model().plan().landmarks;
+  click("paint_button");
+  drag(pixel_of(landmarks.at("mouth_corner_left")), pixel_of(landmarks.at("nose_tip")));
+  settle();
+  QVERIFY(model().has_model());
+  QVERIFY(model().loaded().model->problem().face_vertices.size() > before);
+  shoot("region_painted");
 }
 
 void HourTest::dragTheChin() {
-  const User user = this->user();
-  user.choose_step("motion_page");
-  user.action("left_action")->trigger();
-  QTest::qWait(500);
-  const QPoint grip = user.grip();
-  const Points rest = user.model().loaded().anatomy->face.mesh.surface.vertices;
-  user.drag(grip, grip + QPoint(-30, 0), [&] {
-    QVERIFY(user.model().motion().forward_mm > 1);
-    QVERIFY((user.model().response().face - rest).rowwise().norm().maxCoeff() > 1);
+  choose_step("motion_page");
+  look_from("left_action");
+  const QPoint ball = grip();
+  const Points rest = model().loaded().anatomy->face.mesh.surface.vertices;
+  drag(ball, ball + QPoint(-30, 0), [&] {
+    QVERIFY(model().motion().forward_mm > 1);
+    QVERIFY((model().response().face - rest).rowwise().norm().maxCoeff() > 1);
   });
-  user.type("forward_box", "6");
-  user.type("up_box", "1");
-  QCOMPARE(user.model().motion().forward_mm, 6.0);
-  user.action("three_quarter_action")->trigger();
-  QTRY_VERIFY_WITH_TIMEOUT(user.model().refinement() == Refinement::done, User::patience);
-  QVERIFY(user.model().refined()->answer.error.total.p95 > 0);
-  user.shoot("moved");
+  type("forward_box", "6");
+  type("up_box", "1");
+  QCOMPARE(model().motion().forward_mm, 6.0);
+  trigger("three_quarter_action");
+  await_answer();
+  QVERIFY(model().refined()->answer.error.total.p95 > 0);
+  moved_ = model().refined()->face_points;
+  shoot("moved");
 }
 
 void HourTest::compare() {
-  const User user = this->user();
-  user.choose_step("ComparePanel");
-  auto* mode = user.find<QComboBox>("mode_box");
+  choose_step("ComparePanel");
+  auto* mode = find<QComboBox>("mode_box");
   for (int i = 0; i < mode->count(); ++i) {
     mode->setCurrentIndex(i);
-    user.shoot(qPrintable("compare_" + QString::number(i)));
+    shoot(qPrintable("compare_" + QString::number(i)));
   }
   mode->setCurrentIndex(0);
-  QVERIFY(user.find<QTableWidget>("numbers_table")->item(0, 0) != nullptr);
-  user.choose_step("motion_page");
+  QVERIFY(find<QTableWidget>("numbers_table")->item(0, 0) != nullptr);
+  choose_step("motion_page");
 }
 
 void HourTest::undoAndRedoAll() {
-  const User user = this->user();
-  const SurgicalCase last = user.model().plan();
-  const Points face = user.model().refined()->face_points;
-  const std::size_t steps = user.model().history().steps().size();
+  const SurgicalCase last = model().plan();
+  const std::size_t steps = model().history().steps().size();
   QVERIFY(steps >= 5);  // opened, segment removed, cut, painted, moved
-  while (user.action("undo_action")->isEnabled()) {
-    user.action("undo_action")->trigger();
-    user.settle();
+  while (action("undo_action")->isEnabled()) {
+    trigger("undo_action");
+    settle();
   }
-  QCOMPARE(user.model().history().position(), std::size_t{0});
-  QCOMPARE(user.model().plan().segments.size(), std::size_t{1});
-  QCOMPARE(user.model().plan().segments[0].name, std::string("segment"));
-  while (user.action("redo_action")->isEnabled()) {
-    user.action("redo_action")->trigger();
-    user.settle();
+  QCOMPARE(model().history().position(), std::size_t{0});
+  QCOMPARE(model().plan().segments.size(), std::size_t{1});
+  QCOMPARE(model().plan().segments[0].name, std::string("segment"));
+  while (action("redo_action")->isEnabled()) {
+    trigger("redo_action");
+    settle();
   }
-  QVERIFY(user.model().plan() == last);
-  QCOMPARE(user.model().history().steps().size(), steps);
-  QTRY_VERIFY_WITH_TIMEOUT(user.model().refinement() == Refinement::done, User::patience);
-  QVERIFY((user.model().refined()->face_points - face).cwiseAbs().maxCoeff() < 1e-6);
+  QVERIFY(model().plan() == last);
+  QCOMPARE(model().history().steps().size(), steps);
 }
 
 void HourTest::saveAndReopen() {
-  const User user = this->user();
-  const SurgicalCase plan = user.model().plan();
-  const std::size_t steps = user.model().history().steps().size();
-  const Points face = user.model().refined()->face_points;
-  const QSignalSpy saved(&user.model(), &CaseController::saved);
-  const QString file = folder_.filePath("hour.json");
-  user.answer("save_as_action", "save_dialog", file);
-  QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, User::patience);
-  QVERIFY(!user.model().is_modified());
+  const SurgicalCase plan = model().plan();
+  const std::size_t steps = model().history().steps().size();
+  const QSignalSpy saved(&model(), &CaseController::saved);
+  const QString file = path("hour.json");
+  answer("save_as_action", "save_dialog", file);
+  QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, patience);
+  QVERIFY(!model().is_modified());
 
   MainWindow again;
   const User other{again};
   again.resize(1280, 800);
   again.show();
   again.open_case(file);
-  QTRY_VERIFY_WITH_TIMEOUT(other.model().has_model(), User::patience);
+  QTRY_VERIFY_WITH_TIMEOUT(other.model().has_model(), patience);
   other.settle();
   SurgicalCase reopened = other.model().plan();
   // The demo's own files are copied beside the case when it is saved.
@@ -177,22 +145,23 @@ void HourTest::saveAndReopen() {
   reopened.photograph->obj = plan.photograph->obj;
   QVERIFY(reopened == plan);
   QCOMPARE(other.model().history().steps().size(), steps);
-  QTRY_VERIFY_WITH_TIMEOUT(other.model().refinement() == Refinement::done, User::patience);
-  QVERIFY((other.model().refined()->face_points - face).cwiseAbs().maxCoeff() < 1e-6);
-  other.action("undo_action")->trigger();
+  other.await_answer();
+  QVERIFY((other.model().refined()->face_points - moved_).cwiseAbs().maxCoeff() < 1e-6);
+  other.trigger("undo_action");
   other.settle();
   QCOMPARE(other.model().history().position(), steps - 2);
 }
 
 void HourTest::exportTheFace() {
-  const User user = this->user();
-  const QSignalSpy exported(&user.model(), &CaseController::exported);
-  const QString folder = folder_.filePath("face");
-  user.answer("export_action", "export_dialog", folder);
-  QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, User::patience);
+  await_answer();
+  QVERIFY((model().refined()->face_points - moved_).cwiseAbs().maxCoeff() < 1e-6);
+  const QSignalSpy exported(&model(), &CaseController::exported);
+  const QString folder = path("face");
+  answer("export_action", "export_dialog", folder);
+  QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, patience);
   const ObjDocument face = ObjDocument::read(folder.toStdString() + "/predicted.obj");
-  const Face& original = user.model().loaded().anatomy->face;
-  const Points expected = original.file_vertices(user.model().refined()->face_points);
+  const Face& original = model().loaded().anatomy->face;
+  const Points expected = original.file_vertices(model().refined()->face_points);
   QVERIFY((face.mesh().surface.vertices - expected).cwiseAbs().maxCoeff() < 1e-5);
   // All that is not a vertex stays to the letter. (Not the triangles: quads are cut along their
   // shorter diagonal, which a motion may change.)
@@ -210,17 +179,7 @@ void HourTest::exportTheFace() {
 }  // namespace gnathion::test
 
 int main(int argc, char** argv) {
-  QCoreApplication::setApplicationName("gnathion");
-  const QTemporaryDir home;  // settings, cache and recovery are written there
-  for (const char* folder : {"XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME"}) {
-    qputenv(folder, home.path().toLocal8Bit());
-  }
-  gnathion::prepare_graphics();
-  QApplication app(argc, argv);
-  Q_INIT_RESOURCE(gnathion);
-  gnathion::use_c_numbers();
-  gnathion::test::HourTest test;
-  return QTest::qExec(&test, argc, argv);
+  return gnathion::test::run<gnathion::test::HourTest>(argc, argv);
 }
 
 #include "hour_test.moc"

@@ -69,7 +69,7 @@
     </message>
     <message>
         <source>Sa&amp;gittal split</source>
-        <translation>Sa&amp;gittale Spaltung</translation>
+        <translation>Sa&amp;g. Spaltung</translation>
     </message>
     <message>
         <source>Both sides: a box that takes the tooth-bearing part of the lower jaw, to be adjusted. Simplified: straight behind the last molars</source>
@@ -192,10 +192,6 @@
         <translation>Von unten nach oben, in mm; beim Sägeblatt: was die Säge wegnimmt</translation>
     </message>
     <message>
-        <source>Take the piece on the other &amp;side of the blade</source>
-        <translation>Stück der anderen Se&amp;ite nehmen</translation>
-    </message>
-    <message>
         <source>A blade parts the bone in two: which of the two comes off</source>
         <translation>Ein Sägeblatt teilt den Knochen in zwei Stücke: welches von beiden sich löst</translation>
     </message>
@@ -222,6 +218,10 @@
     <message>
         <source>The face over the bone; how opaque it is, is set in the bar above</source>
         <translation>Das Gesicht über dem Knochen; seine Deckkraft stellt die Leiste oben ein</translation>
+    </message>
+    <message>
+        <source>Take the other &amp;side of the blade</source>
+        <translation>Andere Se&amp;ite des Sägeblatts nehmen</translation>
     </message>
 </context>
 <context>
@@ -425,7 +425,7 @@
         <translation>&amp;Ansicht</translation>
     </message>
     <message>
-        <source>The&amp;me</source>
+        <source>Th&amp;eme</source>
         <translation>Farbs&amp;chema</translation>
     </message>
     <message>
@@ -494,7 +494,7 @@
     </message>
     <message>
         <source>Undo</source>
-        <translation>Rückgängig</translation>
+        <translation>Zurück</translation>
     </message>
     <message>
         <source>Take the last step back (Ctrl+Z)</source>
@@ -506,7 +506,7 @@
     </message>
     <message>
         <source>Redo</source>
-        <translation>Wiederholen</translation>
+        <translation>Wieder</translation>
     </message>
     <message>
         <source>Do again what was taken back (Ctrl+Shift+Z)</source>
@@ -681,7 +681,7 @@
         <translation>Von oben (Ziffernblock 7)</translation>
     </message>
     <message>
-        <source>R&amp;eset view</source>
+        <source>Reset vie&amp;w</source>
         <translation>Ansicht &amp;zurücksetzen</translation>
     </message>
     <message>
@@ -793,10 +793,6 @@
         <translation>Die Textur des Fotos auf dem Gesicht oder schlichte Haut, die die Form besser zeigt (T)</translation>
     </message>
     <message>
-        <source>&amp;Bone</source>
-        <translation>&amp;Knochen</translation>
-    </message>
-    <message>
         <source>Skull and jaw segment (B)</source>
         <translation>Schädel und Kiefersegment (B)</translation>
     </message>
@@ -825,7 +821,7 @@
         <translation>Vorher</translation>
     </message>
     <message>
-        <source>P&amp;lay motion</source>
+        <source>Play motio&amp;n</source>
         <translation>Bewegung a&amp;bspielen</translation>
     </message>
     <message>
@@ -843,6 +839,10 @@
     <message>
         <source>Licence and research-use notice</source>
         <translation>Lizenz und Hinweis auf die Forschungsnutzung</translation>
+    </message>
+    <message>
+        <source>B&amp;one</source>
+        <translation>&amp;Knochen</translation>
     </message>
 </context>
 <context>
@@ -1509,10 +1509,6 @@
         <translation>Fläche der Region auf der Haut, in cm², und wie viele Dreiecke des Gesichts sie hat</translation>
     </message>
     <message>
-        <source>Fixed rim to the segment</source>
-        <translation>Fester Rand bis Segment</translation>
-    </message>
-    <message>
         <source>Least distance from the held rim to moving bone, in mm: below 15 mm the face is held back</source>
         <translation>Kleinster Abstand vom gehaltenen Rand zum bewegten Knochen, in mm: unter 15 mm wird das Gesicht zurückgehalten</translation>
     </message>
@@ -1534,7 +1530,7 @@
     </message>
     <message>
         <source>Sliding over bone or teeth</source>
-        <translation>Über Knochen oder Zähne gleitend</translation>
+        <translation>Gleitend (Knochen, Zähne)</translation>
     </message>
     <message>
         <source>Points that follow bone along its normal only</source>
@@ -1542,7 +1538,7 @@
     </message>
     <message>
         <source>Held by other bone or the rim</source>
-        <translation>Von anderem Knochen oder Rand gehalten</translation>
+        <translation>Gehalten (Knochen, Rand)</translation>
     </message>
     <message>
         <source>Points that do not move</source>
@@ -1555,6 +1551,14 @@
     <message>
         <source>Points that move as the tissue pulls them</source>
         <translation>Punkte, die sich bewegen, wie das Gewebe sie zieht</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>um</translation>
+    </message>
+    <message>
+        <source>Rim to segment</source>
+        <translation>Rand bis Segment</translation>
     </message>
 </context>
 <context>
@@ -1812,12 +1816,12 @@
         <translation>Vorschlagen</translation>
     </message>
     <message>
-        <source>Pro&amp;ject photographs…</source>
-        <translation>Fotos pro&amp;jizieren…</translation>
-    </message>
-    <message>
         <source>No 3D photograph? Give the CT&apos;s skin the colours of ordinary photographs from the front and the sides</source>
         <translation>Kein 3D-Foto? Der Haut des CT die Farben gewöhnlicher Fotos von vorn und von den Seiten geben</translation>
+    </message>
+    <message>
+        <source>Project photographs…</source>
+        <translation>Fotos projizieren…</translation>
     </message>
 </context>
 <context>
@@ -3124,6 +3128,122 @@ eine Gesichtsaufnahme (.obj, .ply, .stl, .glb …) auf den Fall, zu dem sie geh�
         <source>tissue on &quot;%1&quot; is let go within %2 mm of other bone only (tissue.released_mm): it is small</source>
         <translation>das Gewebe an „%1“ wird nur bis %2 mm vor anderem Knochen abgelöst (tissue.released_mm): es ist klein</translation>
     </message>
+    <message>
+        <source>does not exist or cannot be reached</source>
+        <translation>gibt es nicht oder ist nicht zu erreichen</translation>
+    </message>
+    <message>
+        <source>check the name, its rights, and that its disk is connected</source>
+        <translation>Namen und Rechte prüfen, und ob der Datenträger verbunden ist</translation>
+    </message>
+    <message>
+        <source>does not exist or cannot be opened</source>
+        <translation>gibt es nicht oder lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>check the path and its permissions</source>
+        <translation>Pfad und Rechte prüfen</translation>
+    </message>
+    <message>
+        <source>the file does not exist or cannot be reached</source>
+        <translation>die Datei gibt es nicht, oder sie ist nicht zu erreichen</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened</source>
+        <translation>die Datei lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>check its name and rights</source>
+        <translation>Namen und Rechte prüfen</translation>
+    </message>
+    <message>
+        <source>check the file&apos;s name and rights</source>
+        <translation>Namen und Rechte der Datei prüfen</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>the file is larger than 2 GiB</source>
+        <translation>die Datei ist größer als 2 GiB</translation>
+    </message>
+    <message>
+        <source>choose another file</source>
+        <translation>eine andere Datei wählen</translation>
+    </message>
+    <message>
+        <source>reduce the scan</source>
+        <translation>die Aufnahme verkleinern</translation>
+    </message>
+    <message>
+        <source>the file cannot be read to its end</source>
+        <translation>die Datei lässt sich nicht bis zum Ende lesen</translation>
+    </message>
+    <message>
+        <source>check the disk and the file&apos;s rights</source>
+        <translation>Datenträger und Rechte der Datei prüfen</translation>
+    </message>
+    <message>
+        <source>is one file of a DICOM series</source>
+        <translation>ist eine einzelne Datei einer DICOM-Serie</translation>
+    </message>
+    <message>
+        <source>give the folder that holds the series</source>
+        <translation>den Ordner angeben, der die Serie enthält</translation>
+    </message>
+    <message>
+        <source>is nothing that Gnathion can open</source>
+        <translation>ist nichts, was Gnathion öffnen kann</translation>
+    </message>
+    <message>
+        <source>give a folder with DICOM files, a volume (%1), a photograph (%2) or a case (.json)</source>
+        <translation>einen Ordner mit DICOM-Dateien, ein Volumen (%1), ein Foto (%2) oder einen Fall (.json) angeben</translation>
+    </message>
+    <message>
+        <source>it is not a file</source>
+        <translation>es ist keine Datei</translation>
+    </message>
+    <message>
+        <source>choose a face scan</source>
+        <translation>eine Gesichtsaufnahme wählen</translation>
+    </message>
+    <message>
+        <source>export the scan again, reduced or in another format</source>
+        <translation>die Aufnahme noch einmal exportieren, verkleinert oder in einem anderen Format</translation>
+    </message>
+    <message>
+        <source>it cannot be written</source>
+        <translation>es lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>it cannot be written (%1); what was there is unchanged</source>
+        <translation>es lässt sich nicht schreiben (%1); was dort war, ist unverändert</translation>
+    </message>
+    <message>
+        <source>check free space and rights, or choose another place</source>
+        <translation>freien Platz und Rechte prüfen oder einen anderen Ort wählen</translation>
+    </message>
+    <message>
+        <source>it exists already, and nothing is overwritten</source>
+        <translation>es gibt ihn schon, und nichts wird überschrieben</translation>
+    </message>
+    <message>
+        <source>name a new folder</source>
+        <translation>einen neuen Ordner nennen</translation>
+    </message>
+    <message>
+        <source>no folder can be made here (%1)</source>
+        <translation>hier lässt sich kein Ordner anlegen (%1)</translation>
+    </message>
+    <message>
+        <source>choose an existing place that you may write to</source>
+        <translation>einen vorhandenen Ort wählen, an den Sie schreiben dürfen</translation>
+    </message>
+    <message>
+        <source>choose a folder that exists and may be written, and see that the disk is not full</source>
+        <translation>einen Ordner wählen, den es gibt und in den Sie schreiben dürfen, und prüfen, ob der Datenträger voll ist</translation>
+    </message>
 </context>
 <context>
     <name>display</name>
@@ -3571,7 +3691,7 @@ eine Gesichtsaufnahme (.obj, .ply, .stl, .glb …) auf den Fall, zu dem sie geh�
     </message>
     <message>
         <source>&amp;Compare</source>
-        <translation>&amp;Vergleichen</translation>
+        <translation>&amp;Vergleich</translation>
     </message>
     <message>
         <source>Opacity</source>
@@ -3646,14 +3766,6 @@ eine Gesichtsaufnahme (.obj, .ply, .stl, .glb …) auf den Fall, zu dem sie geh�
         <translation>Das vorhergesagte Gesicht in einen neuen Ordner exportieren</translation>
     </message>
     <message>
-        <source>New folder:</source>
-        <translation>Neuer Ordner:</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
-    </message>
-    <message>
         <source>Save the picture</source>
         <translation>Bild speichern</translation>
     </message>
@@ -3701,23 +3813,23 @@ gedämpfte Bewegung, alpha %3/s, beta %4 s, lineares Modell auf linearen Element
     </message>
     <message>
         <source>The predicted face and its report are in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Das vorhergesagte Gesicht und sein Bericht sind in %1</translation>
     </message>
     <message>
         <source>Face as:</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesicht als:</translation>
     </message>
     <message>
         <source>OBJ with its materials and pictures (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>OBJ mit seinen Materialien und Bildern (*)</translation>
     </message>
     <message>
         <source>GLB, one file with pictures (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>GLB, eine Datei mit Bildern (*)</translation>
     </message>
     <message>
         <source>PLY, one file with coloured vertices (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>PLY, eine Datei mit farbigen Punkten (*)</translation>
     </message>
 </context>
 <context>
@@ -3776,6 +3888,14 @@ gedämpfte Bewegung, alpha %3/s, beta %4 s, lineares Modell auf linearen Element
     <message>
         <source>Bones are being prepared.</source>
         <translation>Die Knochen werden vorbereitet.</translation>
+    </message>
+    <message>
+        <source>Find the hinge axis</source>
+        <translation>Scharnierachse suchen</translation>
+    </message>
+    <message>
+        <source>Set the hinge axis</source>
+        <translation>Scharnierachse setzen</translation>
     </message>
 </context>
 <context>
@@ -3900,6 +4020,10 @@ gedämpfte Bewegung, alpha %3/s, beta %4 s, lineares Modell auf linearen Element
         <translation>Vorschau: die Fotos auf der Haut des CT, noch nicht angewandt</translation>
     </message>
     <message>
+        <source>The CT&apos;s skin: click the chosen landmark</source>
+        <translation>Die Haut des CT: die gewählte Landmarke anklicken</translation>
+    </message>
+    <message>
         <source>Picked on both: %1 of at least %2.</source>
         <translation>Auf beiden gesetzt: %1 von mindestens %2.</translation>
     </message>
@@ -4019,10 +4143,6 @@ gedämpfte Bewegung, alpha %3/s, beta %4 s, lineares Modell auf linearen Element
         <translation>
             <numerusform>Ihr Rand berührt sich in einem Punkt, der markiert ist. Drücken Sie Säubern.</numerusform>
             <numerusform>Ihr Rand berührt sich in %n Punkten, die markiert sind. Drücken Sie Säubern.</numerusform>
-    <message>
-        <source>The CT&apos;s skin: click the chosen landmark</source>
-        <translation>Die Haut des CT: die gewählte Landmarke anklicken</translation>
-    </message>
         </translation>
     </message>
     <message>

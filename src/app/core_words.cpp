@@ -11,6 +11,7 @@ namespace {
 // What the core says, with %1, %2 … for the numbers and names in it. Elsewhere in the program these
 // words are made without Qt, so that lupdate finds them here only; translation_test sees to it that
 // the core still says so.
+// NOLINTBEGIN(bugprone-suspicious-missing-comma): long lines are cut in two
 constexpr const char* said[] = {
     // Stages of long work.
     QT_TRANSLATE_NOOP("core", "read DICOM series"),
@@ -251,6 +252,40 @@ constexpr const char* said[] = {
     QT_TRANSLATE_NOOP(
         "core", "in %1 the scan is %2 mm along its longest side, as a head with shoulders is"),
     QT_TRANSLATE_NOOP("core", "few scanners use inches, and some use no unit at all"),
+    // Files that cannot be opened or written.
+    QT_TRANSLATE_NOOP("core", "does not exist or cannot be reached"),
+    QT_TRANSLATE_NOOP("core", "check the name, its rights, and that its disk is connected"),
+    QT_TRANSLATE_NOOP("core", "does not exist or cannot be opened"),
+    QT_TRANSLATE_NOOP("core", "check the path and its permissions"),
+    QT_TRANSLATE_NOOP("core", "the file does not exist or cannot be reached"),
+    QT_TRANSLATE_NOOP("core", "the file cannot be opened"),
+    QT_TRANSLATE_NOOP("core", "check its name and rights"),
+    QT_TRANSLATE_NOOP("core", "check the file's name and rights"),
+    QT_TRANSLATE_NOOP("core", "the file is empty"),
+    QT_TRANSLATE_NOOP("core", "the file is larger than 2 GiB"),
+    QT_TRANSLATE_NOOP("core", "choose another file"),
+    QT_TRANSLATE_NOOP("core", "reduce the scan"),
+    QT_TRANSLATE_NOOP("core", "the file cannot be read to its end"),
+    QT_TRANSLATE_NOOP("core", "check the disk and the file's rights"),
+    QT_TRANSLATE_NOOP("core", "is one file of a DICOM series"),
+    QT_TRANSLATE_NOOP("core", "give the folder that holds the series"),
+    QT_TRANSLATE_NOOP("core", "is nothing that Gnathion can open"),
+    QT_TRANSLATE_NOOP(
+        "core",
+        "give a folder with DICOM files, a volume (%1), a photograph (%2) or a case (.json)"),
+    QT_TRANSLATE_NOOP("core", "it is not a file"),
+    QT_TRANSLATE_NOOP("core", "choose a face scan"),
+    QT_TRANSLATE_NOOP("core", "export the scan again, reduced or in another format"),
+    QT_TRANSLATE_NOOP("core", "it cannot be written"),
+    QT_TRANSLATE_NOOP("core", "it cannot be written (%1); what was there is unchanged"),
+    QT_TRANSLATE_NOOP("core", "check free space and rights, or choose another place"),
+    QT_TRANSLATE_NOOP("core", "it exists already, and nothing is overwritten"),
+    QT_TRANSLATE_NOOP("core", "name a new folder"),
+    QT_TRANSLATE_NOOP("core", "no folder can be made here (%1)"),
+    QT_TRANSLATE_NOOP("core", "choose an existing place that you may write to"),
+    QT_TRANSLATE_NOOP(
+        "core",
+        "choose a folder that exists and may be written, and see that the disk is not full"),
     // Notices, and what a CT or a photograph may lack.
     QT_TRANSLATE_NOOP("core",
                       "no teeth as dense as enamel or metal are in the CT, so no tissue slides on "
@@ -281,6 +316,7 @@ constexpr const char* said[] = {
     QT_TRANSLATE_NOOP("core", "is a photograph, and no case is open to add it to"),
     QT_TRANSLATE_NOOP("core", "open a case or import a CT first, then drop the photograph again"),
 };
+// NOLINTEND(bugprone-suspicious-missing-comma)
 
 struct Pattern {
   QRegularExpression english;
@@ -313,7 +349,7 @@ QString translated(const QString& english) {
 }  // namespace
 
 QString core_words(const QString& english) {
-  const QString whole = translated(english);
+  QString whole = translated(english);
   if (whole != english) return whole;
   for (const Pattern& pattern : patterns()) {
     const QRegularExpressionMatch match = pattern.english.match(english);

@@ -299,8 +299,8 @@ void pack(std::vector<Layout::Piece>& pieces, SkinCharts& charts) {
     charts.width += charts.width / 16 + 1;
     charts.height = std::max(16, shelve(pieces, charts.width));
   }
-  charts.plain = {4, charts.height + 4};
-  charts.height += 9;
+  charts.plain = {4, charts.height + 12};
+  charts.height += 17;
 }
 
 /// Where the corners are, and what is drawn.

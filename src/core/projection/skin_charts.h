@@ -18,7 +18,7 @@ struct SkinCharts {
   /// k×2, pixels, right and down, the middle of the upper left pixel is (0, 0).
   Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> places;
   Triangles corners;      ///< m×3 rows of `places`; −1: the triangle is not laid out
-  Eigen::Vector2d plain;  ///< a place with nothing else within 4 pixels, for one colour
+  Eigen::Vector2d plain;  ///< a place with nothing else within 12 pixels, for one colour
   /// Where the pieces are, pixels. Boxes do not overlap.
   struct Box {
     int x = 0, y = 0, width = 0, height = 0;

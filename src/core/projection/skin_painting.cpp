@@ -5,7 +5,6 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
-#include <opencv2/photo.hpp>
 
 #include "projection/photo_view.h"
 #include "registration/parallel.h"
@@ -19,10 +18,8 @@ using Eigen::Vector3d;
 constexpr double kFinest = 0.2, kCoarsest = 1;  // mm in a pixel, where it is chosen
 constexpr double kLeastWeight = 1e-6;           // of a pixel that is seen
 constexpr double kSharpness = 8;                // power of the weights for the fine band
-constexpr int kInpaintPixels = 4;               // Telea's radius
-constexpr float kGutterPixels = 4;              // beside a piece that has its border's colours
-constexpr double kInpaintMm = 1;                // of these pixels
-constexpr int kLeastShare = 128;                // of 255, of such a pixel that is known
+constexpr float kGutterPixels = 6;              // beside a piece that have its border's colours
+constexpr int kMadeUpRounds = 6;                // of evening out what is made up
 
 /// Everything that a pixel is painted from.
 struct Palette {
@@ -32,6 +29,7 @@ struct Palette {
   std::vector<double> scale;      ///< of these to the photographs
   const TriangleMesh* skin = nullptr;
   std::vector<double> beyond;  ///< mm of each vertex from what is seen
+  Points made_up;              ///< n×3, colours of the vertices that are not seen
 };
 
 /// Logarithms of the gains: the least squares of what pairs of photographs say where both see the
@@ -117,9 +115,9 @@ Vector3d colour_at(const cv::Mat& picture, const Vector2d& place) {
          255;
 }
 
-/// The colour of a place of the skin, and the sum of the weights it is made from.
-std::pair<Vector3d, double> painted_at(const Palette& palette, const PaintedSkin& painted,
-                                       int triangle, const Vector3d& weights) {
+/// The colour of a place of the skin.
+Vector3d painted_at(const Palette& palette, const PaintedSkin& painted, int triangle,
+                    const Vector3d& weights) {
   const Eigen::RowVector3i corner = palette.skin->triangles.row(triangle);
   Vector3d place = Vector3d::Zero(), broad = Vector3d::Zero(), fine = Vector3d::Zero();
   for (int k = 0; k < 3; ++k)
@@ -144,8 +142,10 @@ std::pair<Vector3d, double> painted_at(const Palette& palette, const PaintedSkin
     broad_sum += weight;
     fine_sum += sharp;
   }
-  if (broad_sum <= 0 || fine_sum <= 0) return {painted.plain, 0};
-  return {broad / broad_sum + fine / fine_sum, broad_sum};
+  if (fine_sum > 0) return broad / broad_sum + fine / fine_sum;
+  Vector3d made_up = Vector3d::Zero();
+  for (int k = 0; k < 3; ++k) made_up += weights[k] * palette.made_up.row(corner[k]).transpose();
+  return made_up;
 }
 
 /// Which drawn triangle each pixel shows; −1: none.
@@ -173,7 +173,7 @@ Vector3d weights_in(const std::array<Vector2d, 3>& corner, int x, int y) {
 /// A picture that is being painted.
 struct Canvas {
   cv::Mat colour;  ///< RGB
-  cv::Mat open;    ///< 255 where no photograph has painted
+  cv::Mat open;    ///< 255 beside the pieces
   cv::Mat owner;
 };
 
@@ -196,10 +196,7 @@ Canvas painted_canvas(const Palette& palette, const PaintedSkin& painted, Progre
       const int owner = canvas.owner.at<int>(y, x);
       if (owner < 0) continue;
       const SkinCharts::Drawn& drawn = charts.drawn[static_cast<std::size_t>(owner)];
-      const auto [colour, weight] =
-          painted_at(palette, painted, drawn.triangle, weights_in(drawn.corner, x, y));
-      if (weight <= 0) continue;
-      pixel = bytes(colour);
+      pixel = bytes(painted_at(palette, painted, drawn.triangle, weights_in(drawn.corner, x, y)));
       canvas.open.at<std::uint8_t>(y, x) = 0;
     }
   });
@@ -228,62 +225,6 @@ void widen_pieces(Canvas& canvas) {
       const cv::Point& from = nearest[static_cast<std::size_t>(label.at<int>(y, x))];
       canvas.colour.at<cv::Vec3b>(y, x) = canvas.colour.at<cv::Vec3b>(from);
       canvas.open.at<std::uint8_t>(y, x) = 0;
-    }
-  }
-}
-
-/// What is painted, and made up around it (Telea 2004), in pixels of about a millimetre: what is
-/// made up has no finer parts, and a front of many pixels takes long.
-cv::Mat made_up(const Canvas& canvas, double mm_per_pixel, double reach_mm, const Vector3d& plain) {
-  const double scale = std::min(1.0, mm_per_pixel / kInpaintMm);
-  cv::Mat known, colour, part, mask, filled, distance;
-  cv::bitwise_not(canvas.open, known);
-  cv::Mat black = cv::Mat::zeros(canvas.colour.size(), CV_8UC3);
-  canvas.colour.copyTo(black, known);
-  cv::resize(black, colour, {}, scale, scale, cv::INTER_AREA);
-  cv::resize(known, part, {}, scale, scale, cv::INTER_AREA);
-  for (int y = 0; y < colour.rows; ++y) {
-    for (int x = 0; x < colour.cols; ++x) {
-      const int share = part.at<std::uint8_t>(y, x);
-      cv::Vec3b& c = colour.at<cv::Vec3b>(y, x);
-      c = share < kLeastShare ? bytes(plain) : cv::Vec3b(c * (255.0 / share));
-    }
-  }
-  cv::distanceTransform(part < kLeastShare, distance, cv::DIST_L2, cv::DIST_MASK_3);
-  cv::bitwise_and(part < kLeastShare, distance <= 2 + reach_mm / mm_per_pixel * scale, mask);
-  cv::inpaint(colour, mask, filled, kInpaintPixels, cv::INPAINT_TELEA);
-  cv::resize(filled, filled, canvas.colour.size(), 0, 0, cv::INTER_LINEAR);
-  return filled;
-}
-
-/// mm from a pixel's place on the skin to what is seen.
-double beyond_at(const Palette& palette, const PaintedSkin& painted, const Canvas& canvas, int x,
-                 int y, double elsewhere) {
-  const int owner = canvas.owner.at<int>(y, x);
-  if (owner < 0) return elsewhere;
-  const SkinCharts::Drawn& drawn = painted.charts.drawn[static_cast<std::size_t>(owner)];
-  const Vector3d weights = weights_in(drawn.corner, x, y);
-  double beyond = 0;
-  for (int k = 0; k < 3; ++k) {
-    const int v = palette.skin->triangles(drawn.triangle, k);
-    beyond += weights[k] * palette.beyond[static_cast<std::size_t>(v)];
-  }
-  return beyond;
-}
-
-/// Makes up what is near painted pixels; on the skin it fades into the plain colour.
-void inpaint(const Palette& palette, const PaintedSkin& painted, double reach_mm, Canvas& canvas) {
-  const cv::Mat filled = made_up(canvas, painted.charts.mm_per_pixel, reach_mm, painted.plain);
-  const int first_plain = static_cast<int>(painted.charts.plain.y()) - 4;
-  for (int y = 0; y < filled.rows; ++y) {
-    for (int x = 0; x < filled.cols; ++x) {
-      if (canvas.open.at<std::uint8_t>(y, x) == 0) continue;
-      const auto& made = filled.at<cv::Vec3b>(y, x);
-      const double elsewhere = y < first_plain ? 0 : reach_mm;
-      const double plain =
-          smooth_step(0, reach_mm, beyond_at(palette, painted, canvas, x, y, elsewhere));
-      canvas.colour.at<cv::Vec3b>(y, x) =
-          bytes((1 - plain) * Vector3d(made[0], made[1], made[2]) / 255 + plain * painted.plain);
     }
   }
 }
@@ -347,6 +288,47 @@ void find_seen(const std::vector<std::vector<int>>& neighbours, double reach_mm,
   palette.beyond = edge_distances(palette.skin->vertices, neighbours, seen, reach_mm);
 }
 
+/// The broad colours carried on over the skin, so that no seam of the picture shows; they fade into
+/// the plain one.
+void make_up(const std::vector<std::vector<int>>& neighbours, double reach_mm,
+             const Vector3d& plain, Palette& palette) {
+  const auto count = neighbours.size();
+  palette.made_up = plain.transpose().replicate(static_cast<Eigen::Index>(count), 1);
+  std::vector<std::size_t> order;
+  for (std::size_t v = 0; v < count; ++v) {
+    double sum = 0;
+    Eigen::RowVector3d colour = Eigen::RowVector3d::Zero();
+    for (const PhotoView& view : palette.views) {
+      sum += view.weight[v];
+      colour += view.weight[v] * view.broad.row(static_cast<Eigen::Index>(v));
+    }
+    if (sum > 0) palette.made_up.row(static_cast<Eigen::Index>(v)) = colour / sum;
+    if (sum <= 0 && palette.beyond[v] < reach_mm) order.push_back(v);
+  }
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(palette.beyond[a], a) < std::pair(palette.beyond[b], b);
+  });
+  for (int round = 0; round <= kMadeUpRounds; ++round) {
+    for (const std::size_t v : order) {
+      int used = 0;
+      Eigen::RowVector3d colour = Eigen::RowVector3d::Zero();
+      for (const int u : neighbours[v]) {
+        const double beyond = palette.beyond[static_cast<std::size_t>(u)];
+        // At first from what is nearer to the seen skin alone: the rest is not made up yet.
+        if (beyond >= reach_mm || (round == 0 && beyond >= palette.beyond[v])) continue;
+        colour += palette.made_up.row(u);
+        ++used;
+      }
+      if (used > 0) palette.made_up.row(static_cast<Eigen::Index>(v)) = colour / used;
+    }
+  }
+  for (const std::size_t v : order) {
+    const double fade = smooth_step(0, reach_mm, palette.beyond[v]);
+    auto row = palette.made_up.row(static_cast<Eigen::Index>(v));
+    row = (1 - fade) * row + fade * plain.transpose();
+  }
+}
+
 }  // namespace
 
 PaintedSkin paint_skin(std::span<const PlacedPhoto> photos, const SkinSight& skin,
@@ -366,6 +348,7 @@ PaintedSkin paint_skin(std::span<const PlacedPhoto> photos, const SkinSight& ski
   match_colours(palette.views, painted);
   painted.disagreement = disagreement_of(palette.views);
   find_seen(neighbours, options.inpaint_mm, palette, painted);
+  make_up(neighbours, options.inpaint_mm, painted.plain, palette);
   const std::vector<bool> wanted = measure(palette, options.inpaint_mm, painted);
   ChartOptions charts;
   charts.mm_per_pixel = options.mm_per_pixel.value_or(std::max(kFinest, finest));
@@ -375,7 +358,6 @@ PaintedSkin paint_skin(std::span<const PlacedPhoto> photos, const SkinSight& ski
   }
   Canvas canvas = painted_canvas(palette, painted, progress);
   widen_pieces(canvas);
-  inpaint(palette, painted, options.inpaint_mm, canvas);
   painted.picture = {canvas.colour.cols, canvas.colour.rows, {}};
   painted.picture.rgb.assign(canvas.colour.datastart, canvas.colour.dataend);
   return painted;

@@ -54,8 +54,8 @@ struct PaintedSkin {
 /// photographs that see it: not hidden by other skin, not at an outline, turned to the eye to 78
 /// degrees. Their broad colours are blended by how squarely they see it, their
 /// fine ones taken from the best (two bands, after Burt and Adelson 1983); before, each
-/// photograph's channels are multiplied so that they match the first's. What none sees is
-/// inpainted (Telea 2004) and fades into one colour.
+/// photograph's channels are multiplied so that they match the first's. Where none
+/// sees it, the broad colours go on over the skin and fade into one.
 /// Throws Error(input) naming a photograph that sees nothing of the skin, Error(cancelled).
 PaintedSkin paint_skin(std::span<const PlacedPhoto> photos, const SkinSight& skin,
                        const PaintOptions& options, Progress& progress);

@@ -15,12 +15,12 @@
 #include <numbers>
 
 #include "app/display.h"
+#include "app/driven_window.h"
 #include "app/face_view.h"
 #include "app/main_window.h"
-#include "app/registration_panel.h"
 #include "app/photographs_dialog.h"
 #include "app/picture_pane.h"
-#include "demo/demo_case.h"
+#include "app/registration_panel.h"
 #include "io/case_file.h"
 #include "io/input_kind.h"
 #include "scan/scan_import.h"
@@ -140,11 +140,11 @@ class RegistrationTest : public QObject {
 
 void RegistrationTest::initTestCase() {
   demo_ = folder_.filePath("demo");
-  Progress progress;
-  write_demo_case(1, demo_.toStdString(), progress);
+  copy_demo_case(demo_.toStdString());
   SurgicalCase plan = read_case_file(demo_.toStdString() + "/case.json");
   plan.tissue.strain = Strain::small;
   plan.tissue.elements = Elements::linear;
+  plan.tissue.edge_mm = 4;
   true_ = plan.photograph->lps_from_photograph;
   plan.photograph->lps_from_photograph = disturbed(true_);
   const QString file = demo_ + "/aside.json";

@@ -48,8 +48,8 @@ json report(const ProjectedPhotographs& projected) {
   json photos = json::array();
   for (std::size_t i = 0; i < painted.photos.size(); ++i) {
     const PhotoShare& share = painted.photos[i];
-    photos.push_back({{"name", share.name},
-                      {"seen_cm2", share.seen_cm2},
+    // In their order, not by their files' names, which may be a patient's.
+    photos.push_back({{"seen_cm2", share.seen_cm2},
                       {"gain", to_json(share.gain)},
                       {"camera", to_json(projected.cameras[i])}});
   }

@@ -33,8 +33,8 @@ ProjectedPhotographs project_photographs(const std::vector<MarkedPhoto>& photos,
 
 /// Writes into an existing folder what the case then takes as its photograph: photograph.obj in LPS
 /// mm with the skin's vertices in order, photograph.mtl, photograph.png; and projection.json, how
-/// well the photographs fit and what they show. Nothing of the photographs' files is carried over
-/// but their names, in projection.json. Throws Error(output).
+/// well the photographs fit, in their order, and what they show. Nothing of the photographs' files
+/// is carried over, their names neither. Throws Error(output).
 void write_projection(const ProjectedPhotographs& projected, const TriangleMesh& skin,
                       const std::filesystem::path& folder);
 
